@@ -1,0 +1,58 @@
+#include "render/gl/frame_targets.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace seaway::render {
+
+FrameTargets::FrameTargets(glm::ivec2 imageSize)
+    : size(imageSize),
+      surface(makeTexture(GL_RGBA32F, size, GL_NEAREST)),
+      albedo(makeTexture(GL_RGBA8, size, GL_NEAREST)),
+      distance(makeTexture(GL_R32F, size, GL_NEAREST)),
+      depth(makeTexture(GL_DEPTH32F_STENCIL8, size, GL_NEAREST)),
+      radiance(makeTexture(GL_RGBA32F, size, GL_NEAREST)),
+      display(makeTexture(GL_SRGB8_ALPHA8, size, GL_NEAREST)),
+      geometry(makeFramebuffer({surface, albedo, distance}, depth)),
+      shading(makeFramebuffer({radiance}, depth)),
+      toneMapping(makeFramebuffer({display})) {}
+
+std::size_t FrameTargets::memoryBytes() const {
+  return static_cast<std::size_t>(size.x) * size.y * (8 + 4 + 4 + 8 + 8 + 4);
+}
+
+void readBack(const FrameTargets& targets, Frame& frame) {
+  const glm::ivec2 size = targets.size;
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
+  frame.colour.size = frame.depth.size = size;
+  frame.colour.rgb.resize(3 * pixels);
+  frame.depth.metres.resize(pixels);
+  frame.classes.resize(pixels);
+
+  std::vector<std::uint8_t> rgba(4 * pixels);
+  glGetTextureImage(targets.display, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    static_cast<GLsizei>(rgba.size()), rgba.data());
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) frame.colour.rgb[3 * i + c] = rgba[4 * i + c];
+  }
+
+  std::vector<float> signedDistance(pixels);  // bottom row first
+  glGetTextureImage(targets.distance, 0, GL_RED, GL_FLOAT,
+                    static_cast<GLsizei>(pixels * sizeof(float)), signedDistance.data());
+  for (int y = 0; y < size.y; ++y) {
+    const float* from = signedDistance.data() + static_cast<std::size_t>(size.y - 1 - y) * size.x;
+    const std::size_t to = static_cast<std::size_t>(y) * size.x;
+    for (int x = 0; x < size.x; ++x) {
+      const float distance = from[x];
+      frame.depth.metres[to + x] =
+          distance == 0.0f ? std::numeric_limits<float>::infinity() : std::abs(distance);
+      frame.classes[to + x] = distance == 0.0f  ? PixelClass::sky
+                              : distance > 0.0f ? PixelClass::water
+                                                : PixelClass::object;
+    }
+  }
+}
+
+}  // namespace seaway::render

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "render/frame.h"
+#include "render/gl/gl_objects.h"
+
+namespace seaway::render {
+
+/// How a pixel is shaded.
+enum StencilClass : GLint { stencilSky = 0, stencilWater, stencilUnderside, stencilObject };
+
+/// The framebuffers a frame passes through, for one image size.
+///
+/// Geometry leaves in `surface` and `albedo` what shading needs, and the axial distance with the
+/// pixel's class as its sign: 0 sky, > 0 water, < 0 object. The stencil tells apart what is shaded
+/// in different ways: on a software context that skips whole blocks, where a branch would not.
+struct FrameTargets {
+  explicit FrameTargets(glm::ivec2 imageSize);
+
+  glm::ivec2 size;
+  GlTexture surface;   ///< water: slope, missing slope, height; object: normal
+  GlTexture albedo;    ///< object: reflectance
+  GlTexture distance;  ///< axial distance, m, signed by class
+  GlTexture depth;     ///< with stencil, a StencilClass
+  GlTexture radiance;  ///< linear, scene referred
+  GlTexture display;   ///< sRGB, top row first
+  GlFramebuffer geometry, shading, toneMapping;
+
+  std::size_t memoryBytes() const;
+};
+
+/// Copies of `display` and `distance` as images.
+void readBack(const FrameTargets& targets, Frame& frame);
+
+}  // namespace seaway::render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "render/gl/buffers.h"
+#include "render/render_technique.h"
+
+namespace seaway::render {
+
+/// True if the object's bounding sphere meets the camera's frustum (sides, near and far planes).
+bool inView(const SceneObject& object, const Camera& camera);
+
+/// Draws scene objects into the geometry framebuffer, which must be bound.
+class ObjectPass {
+ public:
+  ObjectPass();
+  void draw(std::span<const SceneObject> objects, const Camera& camera,
+            const glm::mat4& clipFromRelativeWorld);
+  std::size_t memoryBytes() const { return vertices_.memoryBytes(); }
+
+ private:
+  GlProgram program_;
+  GlGrowingBuffer vertices_;  // of one mesh at a time: a mesh may change between frames
+  GlVertexArray array_;
+};
+
+}  // namespace seaway::render

@@ -1,0 +1,68 @@
+#include "render/png.h"
+
+#include <png.h>
+
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "surface/input_error.h"
+
+namespace seaway::render {
+namespace {
+
+png_image emptyImage() {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  return image;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw InputError(path.string(), 0, what);
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, const ColourImage& image) {
+  if (image.size.x < 1 || image.size.y < 1 ||
+      image.rgb.size() != std::size_t{3} * image.size.x * image.size.y) {
+    fail(path, "cannot be written: the image is empty or its size does not match its pixels");
+  }
+  png_image png = emptyImage();
+  png.width = static_cast<png_uint_32>(image.size.x);
+  png.height = static_cast<png_uint_32>(image.size.y);
+  png.format = PNG_FORMAT_RGB;
+  png.flags = PNG_IMAGE_FLAG_FAST;  // five times faster for a fifth more bytes
+
+  std::filesystem::path partial = path;
+  partial += ".partial";
+  std::error_code error;
+  if (!png_image_write_to_file(&png, partial.c_str(), 0, image.rgb.data(), 0, nullptr)) {
+    std::filesystem::remove(partial, error);
+    fail(path, std::string("cannot be written: ") + png.message);
+  }
+  std::filesystem::rename(partial, path, error);
+  if (error) {
+    const std::string reason = error.message();
+    std::filesystem::remove(partial, error);
+    fail(path, "cannot be written: " + reason);
+  }
+}
+
+ColourImage readPng(const std::filesystem::path& path) {
+  png_image png = emptyImage();
+  if (!png_image_begin_read_from_file(&png, path.c_str())) {
+    fail(path, std::string("cannot be read: ") + png.message);
+  }
+  png.format = PNG_FORMAT_RGB;
+  ColourImage image;
+  image.size = {static_cast<int>(png.width), static_cast<int>(png.height)};
+  image.rgb.resize(PNG_IMAGE_SIZE(png));
+  if (!png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr)) {
+    fail(path, std::string("cannot be read: ") + png.message);
+  }
+  return image;
+}
+
+}  // namespace seaway::render

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/frame.h"
+
+namespace seaway::render {
+
+/// Writes an 8-bit sRGB PNG beside `path` and renames it, so that no partial file is ever seen.
+/// Throws InputError where the file cannot be written.
+void writePng(const std::filesystem::path& path, const ColourImage& image);
+
+/// Reads an 8-bit RGB PNG. Throws InputError where it cannot.
+ColourImage readPng(const std::filesystem::path& path);
+
+}  // namespace seaway::render

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "render/camera.h"
+
+namespace seaway::render {
+
+struct ProjectorOptions {
+  /// Least height of the projector above the highest wave, m, > 0.
+  double elevation = 1.0;
+  /// Share of the rows that are spread evenly in the logarithm of distance, [0, 1]; the others are
+  /// even in projector space as in the thesis. Even rows alone spend nearly all on the first
+  /// metres when the camera is among high waves, and leave none for waves that rise in front of
+  /// the horizon.
+  double logarithmicRows = 0.5;
+};
+
+/// Places a grid on the sea plane so that it covers what a camera sees of the sea.
+///
+/// Johanson 2004, "The proposed algorithm": a projector of its own, kept above all waves, mirrored
+/// above when the camera is below, aimed at the plane so that it never backfires, with its range
+/// fitted to the visible volume. Pure mathematics, no GL. Points are m in the sea plane's axes
+/// relative to the camera's foot point, so that they keep their precision far from the anchor.
+///
+/// The projector's roll is level. All points of a grid row then have the same homogeneous
+/// coordinate, the horizon is a line of constant v, and there is no direction of view without an
+/// up vector. `tests/render/projector_test.cpp` shows the coverage and vertex efficiency.
+class Projector {
+ public:
+  /// `heightBound` m ≥ 0. Empty where no water can be in the picture. Camera and options must be
+  /// in their ranges (`validate` in projected_grid.h).
+  static std::optional<Projector> aimedAt(const Camera& camera, double heightBound,
+                                          const ProjectorOptions& options = {});
+
+  /// Point of the still-water plane at (u, v) ∈ [0, 1]² of the range: the four homogeneous corners
+  /// interpolated bilinearly, divided last. v grows with distance.
+  glm::dvec2 basePoint(double u, double v) const;
+
+  /// v of `count` ≥ 2 rows from 0 to 1, growing.
+  std::vector<double> rows(int count) const;
+
+  /// Projector position relative to the camera's foot point; z above still water, m.
+  glm::dvec3 position() const { return position_; }
+  /// Angle of its axis below the horizontal, rad, (0, π/2].
+  double depression() const { return depression_; }
+  /// Largest horizontal distance from the foot point that may be visible, m.
+  double reach() const { return reach_; }
+
+ private:
+  struct Range {
+    glm::dvec2 least{0.0}, most{0.0};
+  };
+  /// Position in projector space of a point of the base plane.
+  glm::dvec2 projectorFromBase(glm::dvec2 point) const;
+  glm::dvec3 rayThrough(glm::dvec2 projectorPoint) const;
+  void standBack(const std::vector<glm::dvec2>& basePoints);
+  void fitRange(const std::vector<glm::dvec2>& basePoints);
+
+  glm::dvec3 position_{0.0};
+  glm::dvec2 azimuth_{1.0, 0.0};  // horizontal direction of the axis, unit
+  double depression_ = 0.0;
+  double reach_ = 0.0;
+  double logarithmicRows_ = 0.0;
+  double rowScale_ = 1.0;  // m: rows are even nearer than this, logarithmic beyond
+  Range range_;
+  std::array<glm::dvec3, 4> corners_{};  // homogeneous (x, y, w) at uv = 00, 10, 01, 11
+};
+
+}  // namespace seaway::render

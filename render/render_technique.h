@@ -1,0 +1,75 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/frame.h"
+#include "surface/effects.h"
+#include "surface/water_surface.h"
+
+namespace seaway::render {
+
+class HeadlessContext;
+
+/// Light that all techniques share.
+struct Light {
+  double sunElevation = 0.5;  ///< rad above the horizon, [−π/2, π/2]
+  double sunDirection = 0.0;  ///< rad counter-clockwise from east: where the sun stands
+  double windSpeed = 7.0;     ///< m/s at 12.5 m: roughness below the field's shortest waves
+};
+
+/// A plain coloured triangle mesh in its own body frame (x forward, y port, z up, m).
+struct Mesh {
+  struct Part {
+    std::vector<glm::vec3> vertices;  ///< three a triangle, counter-clockwise seen from outside
+    glm::vec3 colour{0.8f};           ///< linear reflectance
+  };
+  std::vector<Part> parts;
+  double boundingRadius = 0.0;  ///< about the body origin, m
+};
+
+/// A mesh placed in the sea plane's frame.
+struct SceneObject {
+  const Mesh* mesh = nullptr;
+  glm::dvec3 position{0.0};
+  glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};
+};
+
+/// Everything a technique draws: no graphics library in sight.
+struct View {
+  const WaterSurface* water = nullptr;
+  double time = 0.0;  ///< s since the scene's epoch
+  Camera camera;
+  Light light;
+  std::span<const SceneObject> objects;
+  EffectLedger* effects = nullptr;  ///< decides what is drawn; required
+};
+
+/// One way to draw the sea and what floats on it.
+class RenderTechnique {
+ public:
+  virtual ~RenderTechnique() = default;
+  virtual std::string name() const = 0;
+
+  /// Draws `view`. The technique owns its GL objects and reuses them between frames; the context
+  /// it was made with must outlive it. Not thread-safe.
+  virtual Frame draw(const View& view) = 0;
+};
+
+/// How finely the projected grid samples the sea.
+struct ProjectedGridOptions {
+  glm::ivec2 grid{256, 256};          ///< vertices across, vertices along; ≥ 2 each
+  double projectorElevation = 1.0;    ///< least height of the projector above the highest wave, m
+};
+
+/// Projected grid, vertices computed on the CPU from `View::water` (Johanson 2004, "CPU-based
+/// vertex processing"), drawn through the context.
+std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,
+                                                   const ProjectedGridOptions& options = {});
+
+}  // namespace seaway::render

@@ -1,0 +1,53 @@
+#include "render/sea_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "render/band_limit.h"
+#include "render/curvature.h"
+
+namespace seaway::render {
+
+std::optional<double> distanceToWater(const WaterSurface& water, double time, glm::dvec3 origin,
+                                      glm::dvec3 direction, const MarchOptions& options) {
+  const double level = glm::length(glm::dvec2(direction));
+  const double bound = water.heightBound();
+  const double steepest = 6.0 * std::sqrt(BandLimit(water.waves()).totalSlope());
+
+  const auto aboveStillWater = [&](double distance) {
+    return origin.z + direction.z * distance + seaDrop(level * distance);
+  };
+  const auto aboveWater = [&](double distance) {
+    const glm::dvec2 point = glm::dvec2(origin) + glm::dvec2(direction) * distance;
+    return aboveStillWater(distance) - water.sample(point, time).height;
+  };
+
+  double before = options.nearDistance;
+  const double startHeight = aboveWater(before);
+  const double side = startHeight < 0.0 ? -1.0 : 1.0;  // +1: looking from above
+  double height = startHeight;
+  while (before < options.farDistance) {
+    // Farther away than the highest crest, still water tells how far the next step may go.
+    const double clear = side * aboveStillWater(before) - bound;
+    const double sinking = std::abs(direction.z) + level * level * before / earthMeanRadius + 1e-12;
+    const double step = std::max(clear / sinking, side * height / (sinking + level * steepest));
+    const double capped = std::min(step, options.farDistance);
+    const double next =
+        before + std::max({capped, options.leastStep * before, options.tolerance});
+    const double nextHeight = aboveWater(next);
+    if (side * nextHeight <= 0.0) {
+      double low = before, high = next;
+      while (high - low > options.tolerance) {
+        const double middle = 0.5 * (low + high);
+        (side * aboveWater(middle) > 0.0 ? low : high) = middle;
+      }
+      return 0.5 * (low + high);
+    }
+    before = next;
+    height = nextHeight;
+  }
+  return std::nullopt;
+}
+
+}  // namespace seaway::render

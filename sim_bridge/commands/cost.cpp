@@ -1,0 +1,107 @@
+#include "sim_bridge/commands/cost.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "sim_bridge/cost/study.h"
+#include "sim_bridge/output/atomic_file.h"
+#include "sim_bridge/output/number_text.h"
+#include "sim_bridge/output/progress.h"
+#include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/scene/sea.h"
+
+namespace seaway::bridge {
+namespace {
+
+nlohmann::ordered_json asJson(const std::vector<Study>& studies, const std::string& scene) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Study& study : studies) {
+    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    for (const CostPoint& point : study.points) {
+      points.push_back({{"setting", point.setting},
+                        {"error", point.error},
+                        {"cost", point.cost},
+                        {"spread", point.spread}});
+    }
+    list.push_back({{"name", study.name},
+                    {"summary", study.summary},
+                    {"unit_error", study.unitError},
+                    {"unit_cost", study.unitCost},
+                    {"points", std::move(points)}});
+  }
+  return {{"scene", scene}, {"studies", std::move(list)}};
+}
+
+void writeCsv(const std::vector<Study>& studies, std::ostream& out) {
+  out << "study,setting,error,unit_error,cost,spread,unit_cost\n";
+  for (const Study& study : studies) {
+    for (const CostPoint& point : study.points) {
+      out << study.name << ',' << point.setting << ',' << numberText(point.error) << ','
+          << study.unitError << ',' << numberText(point.cost) << ',' << numberText(point.spread)
+          << ',' << study.unitCost << '\n';
+    }
+  }
+}
+
+void writeTables(const std::vector<Study>& studies, std::ostream& out) {
+  for (const Study& study : studies) {
+    out << study.name << ": " << study.summary << '\n';
+    out << fmt::format("  {:<16} {:>14} {:>14} {:>10}\n", "setting", "error " + study.unitError,
+                       study.unitCost, "spread");
+    for (const CostPoint& point : study.points) {
+      out << fmt::format("  {:<16} {:>14.3g} {:>14.4g} {:>10.2g}\n", point.setting, point.error,
+                         point.cost, point.spread);
+    }
+  }
+}
+
+}  // namespace
+
+int runCost(const CostOptions& options, std::ostream& out) {
+  const Scene scene = loadScene(options.scene);
+  const std::filesystem::path folder = options.out;
+  requireWritableFolder(folder);
+  const Sea sea = buildSea(scene);
+  const StudyOptions studyOptions{.quick = options.quick};
+  std::vector<Study> studies;
+  {
+    Progress progress("cost", 2);
+    studies.push_back(studyQueryOctaves(sea, studyOptions));
+    progress.update(1);
+    if (!scene.cameras.empty()) {
+      for (Study& study : studyImageGrid(scene, sea, studyOptions)) {
+        studies.push_back(std::move(study));
+      }
+    }
+    progress.update(2);
+  }
+  const nlohmann::ordered_json json = asJson(studies, options.scene);
+  AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv");
+  jsonFile.stream() << json.dump(2) << '\n';
+  writeCsv(studies, csvFile.stream());
+  jsonFile.commit();
+  csvFile.commit();
+  if (options.json) {
+    out << json.dump(2) << '\n';
+  } else {
+    writeTables(studies, out);
+  }
+  return 0;
+}
+
+void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
+  auto* command = app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
+  auto options = std::make_shared<CostOptions>();
+  command->add_option("SCENE", options->scene, "scene file")->required();
+  command->add_option("--out", options->out, "folder for cost.json and cost.csv")->required();
+  command->add_flag("--quick", options->quick, "fewer points and repetitions");
+  command->add_flag("--json", options->json, "machine-readable");
+  command->footer("Example:\n  seaway cost configs/scenes/canaveral.yaml --out out/cost --quick");
+  command->callback([=, &chosen] { chosen = [=] { return runCost(*options, std::cout); }; });
+}
+
+}  // namespace seaway::bridge

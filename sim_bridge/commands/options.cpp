@@ -1,0 +1,31 @@
+#include "sim_bridge/commands/options.h"
+
+#include <charconv>
+
+#include "sim_bridge/scene/schema.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge {
+
+glm::ivec2 parseSize(const std::string& text) {
+  constexpr int largest = 8192;
+  glm::ivec2 size{0};
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.x);
+  const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+  const auto height = separated ? std::from_chars(width.ptr + 1, end, size.y) : width;
+  if (!separated || height.ec != std::errc{} || height.ptr != end) {
+    throw InputError("--size: '" + text + "' is not WIDTHxHEIGHT, such as 1280x720");
+  }
+  if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
+    throw InputError("--size: " + text + " is not allowed; width and height must be in [1, 8192]");
+  }
+  return size;
+}
+
+double requireTime(double time) {
+  requireInRange("--time", time, Range::atLeast(0.0), "s");
+  return time;
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,230 @@
+#include "sim_bridge/commands/query.h"
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "sim_bridge/commands/options.h"
+#include "sim_bridge/commands/points_table.h"
+#include "sim_bridge/output/number_text.h"
+#include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/scene/sea.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge {
+namespace {
+
+constexpr const char* resultColumns[] = {"height_m", "slope_x", "slope_y", "velocity_z_m_s",
+                                         "error_m", "bound_m", "status"};
+
+struct Point {
+  glm::dvec2 position{0.0};  // sea plane, m
+  double time = 0.0;
+  bool inRange = true;
+};
+
+struct Answer {
+  SurfaceSample sample;
+  double ellipsoidalHeight = std::nan("");
+};
+
+double latitudeOf(const PointsTable& table, std::size_t row) {
+  const double latitude_deg = table.number(row, table.columns.latitude);
+  if (std::abs(latitude_deg) > 90.0) {
+    table.fail(row, table.columns.latitude, "is not allowed; must be in [-90, 90] °");
+  }
+  return latitude_deg;
+}
+
+Point pointOf(const PointsTable& table, std::size_t row, const QueryOptions& options,
+              const Geodesy& geodesy) {
+  Point point;
+  if (table.columns.x >= 0) {
+    point.position = {table.number(row, table.columns.x), table.number(row, table.columns.y)};
+    // Values that are not finite are for the surface to refuse.
+    point.inRange = geodesy.describe(point.position).inRange || !std::isfinite(point.position.x) ||
+                    !std::isfinite(point.position.y);
+  } else {
+    const double latitude_deg = latitudeOf(table, row);
+    const double longitude_deg = table.number(row, table.columns.longitude);
+    const SeaPlanePoint place = geodesy.seaPlaneFromGeodetic(latitude_deg, longitude_deg);
+    point.position = place.position;
+    point.inRange = place.inRange;
+    if (!std::isfinite(latitude_deg + longitude_deg)) {
+      point = {glm::dvec2(std::nan("")), 0.0, true};
+    }
+  }
+  if (table.columns.height >= 0) table.number(row, table.columns.height);  // only checked so far
+  point.time = table.columns.time >= 0 ? table.number(row, table.columns.time) : *options.time;
+  return point;
+}
+
+// Rows of one time go through the surface together.
+std::vector<SurfaceSample> sampleAll(const std::vector<Point>& points, const WaterSurface& surface,
+                                     double tolerance) {
+  std::map<double, std::vector<std::size_t>> rowsAt;
+  std::vector<SurfaceSample> samples(points.size());
+  const double nan = std::nan("");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].inRange && !std::isnan(points[i].time)) {
+      rowsAt[points[i].time].push_back(i);
+    } else {
+      const SampleStatus status =
+          points[i].inRange ? SampleStatus::notFinite : SampleStatus::outOfRange;
+      samples[i] = {nan, glm::dvec2(nan), nan, nan, nan, status};
+    }
+  }
+  std::vector<glm::dvec2> batch;
+  std::vector<SurfaceSample> answers;
+  for (const auto& [time, rows] : rowsAt) {
+    batch.clear();
+    for (const std::size_t row : rows) batch.push_back(points[row].position);
+    answers.resize(rows.size());
+    surface.sample(batch, time, answers, {tolerance});
+    for (std::size_t i = 0; i < rows.size(); ++i) samples[rows[i]] = answers[i];
+  }
+  return samples;
+}
+
+double ellipsoidalHeight(const Sea& sea, const Point& point, const SurfaceSample& sample) {
+  if (!std::isfinite(sample.height)) return std::nan("");
+  const GeodeticPosition place = sea.geodesy.geodeticFromSeaPlane(point.position);
+  return sea.level.ellipsoidalHeight(place.latitude_deg, place.longitude_deg) + sample.height;
+}
+
+std::vector<double> numbersOf(const SurfaceSample& sample) {
+  return {sample.height, sample.slope.x, sample.slope.y, sample.verticalVelocity,
+          sample.error,  sample.bound};
+}
+
+void writeCsv(const PointsTable& table, const std::vector<Answer>& answers, bool ellipsoidal,
+              std::ostream& out) {
+  std::string text;
+  for (const std::string& name : table.header) text += csvCell(name) + ",";
+  const char* separator = "";
+  for (const char* name : resultColumns) {
+    text += separator + std::string(name);
+    separator = ",";
+  }
+  text += ellipsoidal ? ",ellipsoidal_height_m\n" : "\n";
+  for (std::size_t row = 0; row < answers.size(); ++row) {
+    for (const std::string& cell : table.rows[row]) text += csvCell(cell) + ",";
+    for (const double number : numbersOf(answers[row].sample)) text += numberText(number) + ",";
+    text += statusText(answers[row].sample.status);
+    if (ellipsoidal) text += "," + numberText(answers[row].ellipsoidalHeight);
+    text += '\n';
+  }
+  out << text << std::flush;
+}
+
+void writeJson(const PointsTable& table, const std::vector<Answer>& answers, bool ellipsoidal,
+               std::ostream& out) {
+  nlohmann::ordered_json points = nlohmann::ordered_json::array();
+  for (std::size_t row = 0; row < answers.size(); ++row) {
+    nlohmann::ordered_json point;
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      const int column = static_cast<int>(i);
+      const PointsTable::Columns& known = table.columns;
+      const bool numeric = column == known.latitude || column == known.longitude ||
+                           column == known.x || column == known.y || column == known.height ||
+                           column == known.time;
+      if (numeric) {
+        point[table.header[i]] = table.number(row, column);
+      } else {
+        point[table.header[i]] = table.rows[row][i];
+      }
+    }
+    const std::vector<double> numbers = numbersOf(answers[row].sample);
+    for (std::size_t i = 0; i < numbers.size(); ++i) point[resultColumns[i]] = numbers[i];
+    point["status"] = statusText(answers[row].sample.status);
+    if (ellipsoidal) point["ellipsoidal_height_m"] = answers[row].ellipsoidalHeight;
+    points.push_back(std::move(point));
+  }
+  out << nlohmann::ordered_json{{"points", std::move(points)}}.dump(2) << '\n';
+}
+
+PointsTable pointsTable(const QueryOptions& options, std::istream& in) {
+  if (options.points.empty() == options.at.empty()) {
+    throw InputError("points are wanted: either --points FILE (- for standard input) or --at LAT,LON");
+  }
+  if (!options.at.empty()) return pointsFromArguments(options.at);
+  if (options.points == "-") return readPoints(in, "standard input");
+  std::ifstream file(options.points, std::ios::binary);
+  if (!file || std::filesystem::is_directory(options.points)) {
+    throw InputError(options.points, 0, "no such file, or it cannot be read");
+  }
+  return readPoints(file, options.points);
+}
+
+void requireSound(const QueryOptions& options, const PointsTable& table) {
+  requireInRange("--tolerance", options.tolerance, Range::atLeast(0.0), "m");
+  if (options.time) requireTime(*options.time);
+  if (!options.time && table.columns.time < 0) {
+    throw InputError("--time is wanted, or a column t_s with each point's own time");
+  }
+  for (const char* name : resultColumns) {
+    if (std::find(table.header.begin(), table.header.end(), name) != table.header.end()) {
+      throw InputError(table.source, 1,
+                       std::string("column '") + name + "' would be written twice; rename it");
+    }
+  }
+}
+
+}  // namespace
+
+int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
+  const Scene scene = loadScene(options.scene);
+  const PointsTable table = pointsTable(options, in);
+  requireSound(options, table);
+  const Sea sea = buildSea(scene);
+  std::vector<Point> points;
+  points.reserve(table.rows.size());
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    points.push_back(pointOf(table, row, options, sea.geodesy));
+  }
+  if (options.ellipsoidal && !sea.level.hasGeoid()) {
+    spdlog::warn("no geoid data: the geoid is taken to be the ellipsoid in ellipsoidal_height_m");
+  }
+  const auto samples = sampleAll(points, sea.surface, options.tolerance);
+  std::vector<Answer> answers(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    answers[i].sample = samples[i];
+    if (options.ellipsoidal) {
+      answers[i].ellipsoidalHeight = ellipsoidalHeight(sea, points[i], samples[i]);
+    }
+  }
+  (options.json ? writeJson : writeCsv)(table, answers, options.ellipsoidal, out);
+  return 0;
+}
+
+void addQueryCommand(CLI::App& app, ChosenCommand& chosen) {
+  auto* command = app.add_subcommand("query", "Ask the sea for heights, slopes and velocities");
+  auto options = std::make_shared<QueryOptions>();
+  command->add_option("SCENE", options->scene, "scene file")->required();
+  command->add_option("--time", options->time, "seconds since the scene's epoch");
+  command->add_option("--points", options->points,
+                      "CSV with a header: latitude_deg,longitude_deg or x_m,y_m, optionally z_m, "
+                      "t_s (each point's own time); other columns pass through; - reads standard "
+                      "input");
+  command->add_option("--at", options->at, "LATITUDE,LONGITUDE in degrees; may be repeated")
+      ->expected(1, -1);
+  command->add_option("--tolerance", options->tolerance,
+                      "height that may be left out, m, one standard deviation");
+  command->add_flag("--ellipsoidal", options->ellipsoidal,
+                    "add ellipsoidal_height_m: of the surface above the WGS84 ellipsoid");
+  command->add_flag("--json", options->json, "machine-readable");
+  command->footer(
+      "Examples:\n  seaway query configs/scenes/canaveral.yaml --time 12.5 --at 28.878,-78.467\n"
+      "  seaway query configs/scenes/canaveral.yaml --time 0 --points points.csv > heights.csv");
+  command->callback(
+      [=, &chosen] { chosen = [=] { return runQuery(*options, std::cin, std::cout); }; });
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,163 @@
+#include "sim_bridge/commands/run.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "render/headless_context.h"
+#include "render/png.h"
+#include "sim_bridge/commands/options.h"
+#include "sim_bridge/commands/run_output.h"
+#include "sim_bridge/output/progress.h"
+#include "sim_bridge/output/stopwatch.h"
+#include "sim_bridge/output/telemetry.h"
+#include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/scene_view.h"
+
+namespace seaway::bridge {
+namespace {
+
+Scene sceneFor(const RunOptions& options) {
+  Scene scene = loadScene(options.scene);
+  if (options.duration) {
+    requireInRange("--duration", *options.duration, Range::between(0.0, 1e7), "s");
+    scene.run.duration = *options.duration;
+  }
+  if (options.framesPerSecond) {
+    requireInRange("--fps", *options.framesPerSecond, Range::within(0.0, 1000.0), "1/s");
+    scene.run.framesPerSecond = *options.framesPerSecond;
+  }
+  if (options.seed) {
+    requireInRange("--seed", static_cast<double>(*options.seed), Range::atLeast(0.0), "");
+    scene.sea.seed = *options.seed;
+  }
+  if (!options.size.empty()) scene.run.size = parseSize(options.size);
+  return scene;
+}
+
+/// Draws what a scene's cameras see. Without cameras or frames no context is made.
+class Cameras {
+ public:
+  Cameras(const Scene& scene, const RunFolder& folder, RunSummary& summary)
+      : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
+    if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
+    context_ = render::makeHeadlessContext();
+    technique_ = render::makeProjectedGrid(*context_, {.grid = scene.accuracy.grid});
+  }
+
+  void draw(const Simulation& moment, long long index) {
+    for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
+      EffectLedger ledger(scene_.effects);
+      const Stopwatch drawing;
+      render::Frame frame =
+          technique_->draw(view_.view(moment, scene_.cameras[i], scene_.run.size, ledger));
+      summary_.timingsMs["draw"] += drawing.milliseconds();
+      for (const auto& [pass, ms] : frame.stats.passesMs) summary_.passesMs[pass] += ms;
+      const Stopwatch writing;
+      render::writePng(folder_.frame(i, index), frame.colour);
+      summary_.timingsMs["write"] += writing.milliseconds();
+      summary_.lastFrame = std::move(frame.stats);
+    }
+  }
+
+ private:
+  const Scene& scene_;
+  const RunFolder& folder_;
+  RunSummary& summary_;
+  SceneView view_;
+  std::unique_ptr<render::HeadlessContext> context_;
+  std::unique_ptr<render::RenderTechnique> technique_;
+};
+
+/// Frames of each camera: at 0, 1/fps, … before the end.
+long long frameCount(const Scene& scene) {
+  if (scene.cameras.empty()) return 0;
+  return static_cast<long long>(
+      std::ceil(scene.run.duration * scene.run.framesPerSecond - 1e-9));
+}
+
+// Whole steps up to `t`, a row of telemetry each.
+void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& summary) {
+  const Stopwatch watch;
+  while (simulation.nextTime() <= t * (1.0 + 1e-12)) {
+    simulation.step();
+    telemetry.write(simulation);
+    ++summary.steps;
+  }
+  summary.timingsMs["motion"] += watch.milliseconds();
+}
+
+void sailAndDraw(const Scene& scene, const Sea& sea, const RunFolder& folder, RunSummary& summary) {
+  Telemetry telemetry(folder.path(), scene);
+  Simulation simulation(scene, sea);
+  telemetry.write(simulation);
+  Cameras cameras(scene, folder, summary);
+  const long long frames = frameCount(scene);
+  Progress progress("frames", static_cast<std::size_t>(frames));
+  for (long long frame = 0; frame < frames; ++frame) {
+    const double t = static_cast<double>(frame) / scene.run.framesPerSecond;
+    sail(simulation, t, telemetry, summary);
+    cameras.draw(simulation.movedTo(std::max(t, simulation.time())), frame);
+    progress.update(static_cast<std::size_t>(frame) + 1);
+  }
+  sail(simulation, scene.run.duration, telemetry, summary);
+  telemetry.commit();
+  summary.frames = frames;
+}
+
+void writeReport(const Scene& scene, const RunSummary& summary, const std::string& json,
+                 const RunFolder& folder, bool asJson, std::ostream& out) {
+  if (asJson) {
+    out << json;
+    return;
+  }
+  out << fmt::format(
+      "{}: {} s in {:.1f} s (real-time factor {:.2f}), {} frames of {} cameras\n"
+      "H_m0 asked {:.3f} m, realised {:.3f} m\n",
+      folder.path().string(), scene.run.duration, summary.wallSeconds,
+      scene.run.duration / summary.wallSeconds, summary.frames, scene.cameras.size(),
+      summary.hm0Asked, summary.hm0Realised);
+}
+
+}  // namespace
+
+int runRun(const RunOptions& options, std::ostream& out) {
+  const Scene scene = sceneFor(options);
+  const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
+                         scene);
+  const Stopwatch watch;
+  RunSummary summary;
+  const Sea sea = buildSea(scene);
+  summary.timingsMs["sea"] = watch.milliseconds();
+  summary.hm0Asked = sea.hm0Asked;
+  sailAndDraw(scene, sea, folder, summary);
+  summary.wallSeconds = watch.milliseconds() / 1000.0;
+  summary.timingsMs["total"] = watch.milliseconds();
+  summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
+  const std::string json = summary.json(scene);
+  AtomicFile file(folder.summary());
+  file.stream() << json;
+  file.commit();
+  writeReport(scene, summary, json, folder, options.json, out);
+  return 0;
+}
+
+void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
+  auto* command = app.add_subcommand("run", "Sail a scene: telemetry, camera frames, summary");
+  auto options = std::make_shared<RunOptions>();
+  command->add_option("SCENE", options->scene, "scene file")->required();
+  command->add_option("--out", options->out, "folder to write to (default: out/ and the scene's name)");
+  command->add_option("--duration", options->duration, "simulated seconds (default: the scene's)");
+  command->add_option("--fps", options->framesPerSecond,
+                      "frames per simulated second, 0 for none (default: the scene's)");
+  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
+  command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)");
+  command->add_flag("--json", options->json, "print summary.json to standard output");
+  command->footer(
+      "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");
+  command->callback([=, &chosen] { chosen = [=] { return runRun(*options, std::cout); }; });
+}
+
+}  // namespace seaway::bridge

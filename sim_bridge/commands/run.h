@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "sim_bridge/commands/command.h"
+
+namespace seaway::bridge {
+
+struct RunOptions {
+  std::string scene;
+  std::string out;  ///< folder; empty: out/SCENE
+  std::optional<double> duration;          ///< s
+  std::optional<double> framesPerSecond;
+  std::string size;                        ///< WxH
+  std::optional<std::int64_t> seed;
+  bool json = false;
+};
+
+/// `seaway run`: sails a scene and writes telemetry.csv, frames/NNNNNN.png and summary.json.
+///
+/// The first camera's frames stand in `frames/`, those of each further camera in `frames/NAME/`.
+/// The output folder is checked before any work; files appear whole, summary.json last: a folder
+/// that has one is complete. Frames of an earlier run in the same folder are removed.
+int runRun(const RunOptions& options, std::ostream& out);
+void addRunCommand(CLI::App& app, ChosenCommand& chosen);
+
+}  // namespace seaway::bridge

@@ -1,0 +1,55 @@
+#include <cmath>
+#include <random>
+
+#include "sim_bridge/cost/study.h"
+#include "sim_bridge/scene/sea.h"
+
+namespace seaway::bridge {
+namespace {
+
+std::vector<glm::dvec2> randomPoints(std::size_t count) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * 20e3; };
+  std::vector<glm::dvec2> points(count);
+  for (glm::dvec2& point : points) point = {uniform(), uniform()};
+  return points;
+}
+
+double rmsDifference(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(a[i].height - b[i].height, 2);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+}  // namespace
+
+Study studyQueryOctaves(const Sea& sea, const StudyOptions& options) {
+  Study study{"query_octaves",
+              "height of random points within 10 km, batches of 1024; truth: all octaves",
+              "m", "ns/point", {}};
+  constexpr std::size_t batch = 1024;
+  const WaterSurface& water = sea.surface;
+  const auto points = randomPoints(options.quick ? 8 * batch : 32 * batch);
+  std::vector<SurfaceSample> truth(points.size()), samples(points.size());
+  constexpr double time = 12.0;
+  water.sample(points, time, truth);
+  const std::size_t count = water.waves().octaves().size();
+  for (std::size_t kept = 0; kept <= count; ++kept) {
+    const SampleOptions sampling{.tolerance = kept == count ? 0.0 : water.waves().leftOut(kept)};
+    water.sample(points, time, samples, sampling);
+    const Timing timing = timeRepeated(
+        [&] {
+          for (std::size_t i = 0; i < points.size(); i += batch) {
+            water.sample(std::span(points).subspan(i, batch), time,
+                         std::span(samples).subspan(i, batch), sampling);
+          }
+        },
+        options.quick ? 5 : 15);
+    const double perPoint = 1e9 / static_cast<double>(points.size());
+    study.points.push_back({"octaves " + std::to_string(kept), rmsDifference(samples, truth),
+                            timing.median * perPoint, timing.spread * perPoint});
+  }
+  return study;
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The cost report: for every dial, how wrong the answers are and what they cost.
+namespace seaway::bridge {
+
+struct Scene;
+struct Sea;
+
+/// One setting of a dial.
+struct CostPoint {
+  std::string setting;  ///< such as "octaves 4"
+  double error = 0.0;   ///< against the study's truth, in Study::unitError
+  double cost = 0.0;    ///< median over repetitions, in Study::unitCost
+  double spread = 0.0;  ///< half the distance between the cost's quartiles
+};
+
+/// Error against cost along one dial, all points measured in one process.
+struct Study {
+  std::string name;
+  std::string summary;  ///< what was measured, against which truth
+  std::string unitError;
+  std::string unitCost;
+  std::vector<CostPoint> points;
+};
+
+struct StudyOptions {
+  bool quick = false;  ///< fewer points, pixels and repetitions
+};
+
+/// A median of wall times and half their interquartile range.
+struct Timing {
+  double median = 0.0;
+  double spread = 0.0;
+};
+
+/// Runs `work` once to warm up and `repetitions` ≥ 3 times under the clock; seconds a run.
+Timing timeRepeated(const std::function<void()>& work, int repetitions);
+
+/// Height error (m rms) against ns a point, by number of octaves kept. Truth: all octaves.
+Study studyQueryOctaves(const Sea& sea, const StudyOptions& options);
+
+/// Two studies of the scene's first camera, by grid size, ms a frame: axial depth of water pixels
+/// (median m) against a ray-march, and height of the field where pixels lie (rms m).
+std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
+}  // namespace seaway::bridge

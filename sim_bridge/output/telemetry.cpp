@@ -1,0 +1,50 @@
+#include "sim_bridge/output/telemetry.h"
+
+#include <initializer_list>
+
+#include "sim_bridge/output/number_text.h"
+#include "surface/angles.h"
+
+namespace seaway::bridge {
+namespace {
+
+void writeRow(std::ostream& out, std::initializer_list<double> cells) {
+  const char* separator = "";
+  for (const double cell : cells) {
+    out << separator << numberText(cell);
+    separator = ",";
+  }
+  out << '\n';
+}
+
+}  // namespace
+
+Telemetry::Telemetry(const std::filesystem::path& folder, const Scene& scene) {
+  const std::size_t count = std::max<std::size_t>(1, scene.vessels.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = i == 0 ? "telemetry.csv" : "telemetry_" + scene.vessels[i].name + ".csv";
+    files_.push_back(std::make_unique<AtomicFile>(folder / name));
+    files_.back()->stream() << "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,"
+                               "heading_deg,speed_m_s,water_height_m,submerged_volume_m3\n";
+  }
+}
+
+void Telemetry::write(const Simulation& simulation) {
+  const Geodesy& geodesy = simulation.sea().geodesy;
+  for (std::size_t i = 0; i < simulation.vessels().size(); ++i) {
+    const Vessel& vessel = simulation.vessels()[i];
+    const VesselPose pose = vessel.pose();
+    const GeodeticPosition place = geodesy.geodeticFromSeaPlane(pose.position);
+    writeRow(files_[i]->stream(),
+             {simulation.time(), place.latitude_deg, place.longitude_deg, pose.height,
+              degreesFromRadians(pose.roll), degreesFromRadians(pose.pitch),
+              geodesy.trueHeadingFromDirection(pose.position, pose.direction), vessel.speed(),
+              vessel.waterHeight(), vessel.submergedVolume()});
+  }
+}
+
+void Telemetry::commit() {
+  for (const auto& file : files_) file->commit();
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim_bridge/scene/sea_state_file.h"
+#include "sim_bridge/scene/vessel_model.h"
+#include "surface/effects.h"
+
+/// A scene as its file gives it, checked. Angles are compass degrees as in the file (their names
+/// say so); whoever uses them converts. Initial values are the defaults of the schema page.
+namespace seaway::bridge {
+
+struct Place {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+};
+
+/// Flat water.
+struct CalmState {};
+
+/// A sea state by a JONSWAP spectrum (Pierson–Moskowitz: γ = 1).
+struct ParametricState {
+  double significantWaveHeight = 0.0;  ///< H_m0, m
+  double peakPeriod = 0.0;             ///< T_p, s
+  double peakEnhancement = 3.3;        ///< γ
+  double from_deg = 0.0;
+  double spreadExponent = 10.0;  ///< s of cos²ˢ((θ − θ_m)/2); infinite: one direction
+  int octaves = 8;
+};
+
+/// A sea state that `seaway fit` wrote.
+struct FileState {
+  std::string path;          ///< as in the scene
+  FittedSeaState seaState;   ///< read by the loader
+};
+
+using SeaState = std::variant<CalmState, ParametricState, FileState, FittedSeaState>;
+
+struct Current {
+  double speed = 0.0;  ///< m/s
+  double toward_deg = 0.0;
+};
+
+struct SeaSettings {
+  Place anchor;
+  double depth = std::numeric_limits<double>::infinity();  ///< m
+  double waterLevel = 0.0;                                 ///< m above the geoid
+  Current current;
+  std::int64_t seed = 1;
+  SeaState state;
+};
+
+struct VesselStart {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double heading_deg = 0.0;  ///< true
+};
+
+struct SceneVessel {
+  std::string name;
+  std::string modelPath;  ///< as in the scene
+  VesselModel model;      ///< read by the loader
+  VesselStart start;
+  double speed = 0.0;     ///< over ground, m/s
+  double turn_deg = 0.0;  ///< compass degrees per second, positive to starboard
+};
+
+/// Where a fixed camera stands.
+struct CameraPlace {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double height = 2.0;  ///< m above the still-water level
+};
+
+struct SceneCamera {
+  std::string name;
+  std::string mount;                  ///< vessel; empty for a fixed camera
+  bool stabilised = false;            ///< mounted, but does not heave, roll or pitch
+  glm::dvec3 position{0.0};           ///< in the mount's body frame, m
+  std::optional<CameraPlace> place;   ///< of a fixed camera
+  double yaw_deg = 0.0;    ///< clockwise from the mount's bow, or from true north if fixed
+  double pitch_deg = 0.0;  ///< up
+  double roll_deg = 0.0;   ///< right side down
+  double fieldOfView_deg = 60.0;  ///< vertical
+};
+
+struct Sun {
+  double elevation_deg = 30.0;
+  double azimuth_deg = 180.0;
+};
+
+struct Wind {
+  double speed = 7.0;  ///< m/s at 12.5 m
+};
+
+struct LightSettings {
+  Sun sun;
+  Wind wind;
+};
+
+struct Accuracy {
+  double motionTolerance = 0.0;  ///< height that vessels' samples may leave out, m (1 σ)
+  glm::ivec2 grid{256, 256};     ///< vertices of the projected grid, across and along
+};
+
+struct RunSettings {
+  double duration = 20.0;       ///< s
+  double framesPerSecond = 2.0;
+  glm::ivec2 size{1280, 720};   ///< pixels
+  double step = 0.02;           ///< s
+};
+
+struct Scene {
+  std::filesystem::path file;
+  SeaSettings sea;
+  std::vector<SceneVessel> vessels;
+  std::vector<SceneCamera> cameras;
+  LightSettings light;
+  EffectSettings effects{};
+  Accuracy accuracy;
+  RunSettings run;
+};
+
+}  // namespace seaway::bridge

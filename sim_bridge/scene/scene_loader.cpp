@@ -1,0 +1,119 @@
+#include "sim_bridge/scene/scene_loader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "surface/geodesy.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge {
+namespace {
+
+namespace fs = std::filesystem;
+
+const YamlValue& childOf(const YamlValue& value, const char* name) {
+  const YamlValue* child = value.find(name);
+  return child ? *child : value;
+}
+
+// The file a key names; a fault there tells both files.
+fs::path referredFile(const YamlValue& key, const fs::path& sceneFile) {
+  const fs::path file = fs::path(key.scalar).is_absolute() ? fs::path(key.scalar)
+                                                           : sceneFile.parent_path() / key.scalar;
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    key.fail("no such file: " + file.lexically_normal().string());
+  }
+  return file;
+}
+
+template <class T>
+void requireUniqueNames(const YamlValue* list, const std::vector<T>& items) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (names.insert(items[i].name).second) continue;
+    childOf(list->values[i], "name").fail("'" + items[i].name + "' is given twice");
+  }
+}
+
+void requireInGeodesicRange(const YamlValue& value, const Geodesy& geodesy, double latitude_deg,
+                            double longitude_deg) {
+  if (geodesy.seaPlaneFromGeodetic(latitude_deg, longitude_deg).inRange) return;
+  value.fail("is farther than " + numberText(Geodesy::usableRange() / 1000.0) +
+             " km from the scene's anchor");
+}
+
+void resolveSeaState(Scene& scene, const YamlValue& document) {
+  const YamlValue& state = *document.find("sea")->find("state");
+  if (auto* file = std::get_if<FileState>(&scene.sea.state)) {
+    file->seaState = loadSeaState(referredFile(*state.find("file"), scene.file));
+  }
+  const auto* octaves = std::get_if<FittedSeaState>(&scene.sea.state);
+  if (octaves && octaves->octaves.empty()) {
+    state.fail("has no octaves (for flat water use `calm: {}`)");
+  }
+}
+
+void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const YamlValue* list = document.find("vessels");
+  requireUniqueNames(list, scene.vessels);
+  for (std::size_t i = 0; i < scene.vessels.size(); ++i) {
+    SceneVessel& vessel = scene.vessels[i];
+    const YamlValue& value = list->values[i];
+    requireInGeodesicRange(childOf(value, "start"), geodesy, vessel.start.latitude_deg,
+                           vessel.start.longitude_deg);
+    vessel.model = loadVesselModel(referredFile(*value.find("model"), scene.file));
+  }
+}
+
+std::vector<std::string> vesselNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneVessel& vessel : scene.vessels) names.push_back(vessel.name);
+  return names;
+}
+
+void requireMount(const Scene& scene, const SceneCamera& camera, const YamlValue& value) {
+  const std::vector<std::string> names = vesselNames(scene);
+  if (std::find(names.begin(), names.end(), camera.mount) != names.end()) return;
+  const std::string nearest = nearestName(camera.mount, names);
+  value.find("mount")->fail("no vessel is called '" + camera.mount + "'" +
+                            (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+}
+
+void checkCameras(const Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const YamlValue* list = document.find("cameras");
+  requireUniqueNames(list, scene.cameras);
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    const SceneCamera& camera = scene.cameras[i];
+    const YamlValue& value = list->values[i];
+    if (camera.mount.empty() == !camera.place.has_value()) {
+      value.fail("needs exactly one of mount and place");
+    }
+    if (camera.place) {
+      for (const char* key : {"position_m", "stabilised"}) {
+        if (const YamlValue* given = value.find(key)) given->fail("is for mounted cameras only");
+      }
+      requireInGeodesicRange(*value.find("place"), geodesy, camera.place->latitude_deg,
+                             camera.place->longitude_deg);
+    } else {
+      requireMount(scene, camera, value);
+    }
+  }
+}
+
+}  // namespace
+
+Scene loadScene(const fs::path& file) {
+  const YamlValue document = readYaml(file);
+  if (document.kind == YamlValue::Kind::null) throw InputError(file.string(), 0, "is empty");
+  Scene scene;
+  sceneSchema().read(scene, document);
+  scene.file = file;
+  const Geodesy geodesy({scene.sea.anchor.latitude_deg, scene.sea.anchor.longitude_deg, 0.0});
+  resolveSeaState(scene, document);
+  resolveVessels(scene, document, geodesy);
+  checkCameras(scene, document, geodesy);
+  return scene;
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,99 @@
+#include "sim_bridge/scene/sea.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sim_bridge/scene/directional_spread.h"
+#include "surface/angles.h"
+#include "surface/fit/octave_fit.h"
+#include "surface/input_error.h"
+#include "surface/spectra/families.h"
+
+namespace seaway::bridge {
+namespace {
+
+struct Waves {
+  std::vector<Octave> octaves;
+  double hm0Asked = 0.0;
+};
+
+Waves wavesOf(const ParametricState& state, const Scene& scene) {
+  OctaveFitOptions options;
+  options.octaves = state.octaves;
+  options.toward = towardFromCompassFrom(state.from_deg);
+  options.depth = scene.sea.depth;
+  OctaveFit fit = fitPerlinOctaves(
+      jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement}), options);
+  if (!fit.summary.usable) {
+    throw InputError(scene.file.string(), 0, "key 'sea.state': cannot be fitted: " + fit.summary.message);
+  }
+  unsigned index = 0;
+  for (Octave& octave : fit.octaves) {
+    octave.toward += spreadQuantile(state.spreadExponent, vanDerCorput(index++));
+  }
+  return {std::move(fit.octaves), state.significantWaveHeight};
+}
+
+Waves wavesOf(const CalmState&, const Scene&) { return {}; }
+
+Waves wavesOf(const FittedSeaState& state, const Scene& scene) {
+  return {octavesOf(state, scene.sea.depth), state.significantWaveHeight()};
+}
+
+Waves wavesOf(const FileState& state, const Scene& scene) {
+  Waves waves = wavesOf(state.seaState, scene);
+  const double target = state.seaState.provenance.hm0Target;
+  if (target > 0.0) waves.hm0Asked = target;
+  return waves;
+}
+
+}  // namespace
+
+Sea buildSea(const Scene& scene) {
+  const SeaSettings& sea = scene.sea;
+  Waves waves;
+  if (scene.effects[static_cast<std::size_t>(Effect::waves)] != EffectSetting::off) {
+    waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
+  }
+  WaveFieldSettings settings;
+  settings.seed = static_cast<std::uint64_t>(sea.seed);
+  settings.depth = sea.depth;
+  settings.current =
+      sea.current.speed * unitVector(towardFromCompassToward(sea.current.toward_deg));
+  return {Geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0}),
+          SeaLevel(sea.waterLevel), WaterSurface(WaveField(std::move(waves.octaves), settings)),
+          waves.hm0Asked};
+}
+
+double realisedSignificantWaveHeight(const WaterSurface& surface) {
+  constexpr int times = 64;
+  constexpr int placesPerTime = 1024;
+  double longest = 0.0;
+  double slowest = 0.0;
+  for (const Octave& octave : surface.waves().octaves()) {
+    longest = std::max(longest, octave.latticeSize);
+    slowest = std::max(slowest, octave.boilTime);
+  }
+  if (longest == 0.0) return 0.0;
+  // The generator's own bits, not a distribution's: those differ between libraries.
+  std::mt19937_64 random(20200608);
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53 - 0.5; };
+  std::vector<glm::dvec2> places(placesPerTime);
+  std::vector<SurfaceSample> samples(placesPerTime);
+  double sum = 0.0;
+  double sumOfSquares = 0.0;
+  for (int time = 0; time < times; ++time) {
+    for (glm::dvec2& place : places) place = 400.0 * longest * glm::dvec2(uniform(), uniform());
+    surface.sample(places, 2.0 * slowest * time, samples);
+    for (const SurfaceSample& sample : samples) {
+      sum += sample.height;
+      sumOfSquares += sample.height * sample.height;
+    }
+  }
+  constexpr double count = static_cast<double>(times) * placesPerTime;
+  const double mean = sum / count;
+  return 4.0 * std::sqrt(sumOfSquares / count - mean * mean);
+}
+
+}  // namespace seaway::bridge

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "sim_bridge/scene/schema.h"
+#include "sim_bridge/vessel/box_hull.h"
+
+namespace seaway::bridge {
+
+/// How a vessel is drawn; its motion is always that of its box.
+enum class VesselShape { launch, buoy };
+
+struct VesselDrawing {
+  VesselShape shape = VesselShape::launch;
+  glm::vec3 hullColour{0.05f, 0.10f, 0.22f};  ///< linear reflectance, each in [0, 1]
+  glm::vec3 deckColour{0.55f, 0.53f, 0.48f};
+  glm::vec3 houseColour{0.80f, 0.80f, 0.78f};
+};
+
+/// A vessel file (`configs/vessels/*.yaml`).
+struct VesselModel {
+  std::string description;
+  BoxHull hull;
+  VesselDrawing drawing;
+};
+
+/// Keys of a vessel file.
+const Mapping<VesselModel>& vesselModelSchema();
+
+/// Reads a vessel file. Throws InputError for anything its schema does not allow, and for a hull
+/// that would sink or capsize at rest.
+VesselModel loadVesselModel(const std::filesystem::path& file);
+
+}  // namespace seaway::bridge

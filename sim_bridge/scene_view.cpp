@@ -1,0 +1,92 @@
+#include "sim_bridge/scene_view.h"
+
+#include <algorithm>
+
+#include "sim_bridge/vessel/vessel_mesh.h"
+#include "surface/angles.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge {
+namespace {
+
+const Vessel& mountOf(const Simulation& simulation, const std::string& name) {
+  const auto& vessels = simulation.scene().vessels;
+  const auto found = std::find_if(vessels.begin(), vessels.end(),
+                                  [&](const SceneVessel& vessel) { return vessel.name == name; });
+  return simulation.vessels()[static_cast<std::size_t>(found - vessels.begin())];
+}
+
+void placeOnMount(render::Camera& camera, const SceneCamera& description, VesselPose mount) {
+  if (description.stabilised) mount.height = mount.pitch = mount.roll = 0.0;
+  const glm::dquat worldFromBody = mount.worldFromBody();
+  camera.position =
+      glm::dvec3(mount.position, mount.height) + worldFromBody * description.position;
+  camera.worldFromCamera =
+      worldFromBody * render::attitude(-radiansFromDegrees(description.yaw_deg),
+                                       radiansFromDegrees(description.pitch_deg),
+                                       radiansFromDegrees(description.roll_deg));
+}
+
+void placeFixed(render::Camera& camera, const SceneCamera& description, const Geodesy& geodesy) {
+  const CameraPlace& place = *description.place;
+  const glm::dvec2 position =
+      geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg).position;
+  camera.position = glm::dvec3(position, place.height);
+  camera.worldFromCamera =
+      render::attitude(geodesy.directionFromTrueHeading(position, description.yaw_deg),
+                       radiansFromDegrees(description.pitch_deg),
+                       radiansFromDegrees(description.roll_deg));
+}
+
+}  // namespace
+
+SceneView::SceneView(const Scene& scene) : scene_(&scene) {
+  meshes_.reserve(scene.vessels.size());
+  for (const SceneVessel& vessel : scene.vessels) meshes_.push_back(vesselMesh(vessel.model));
+}
+
+render::View SceneView::view(const Simulation& simulation, const SceneCamera& camera,
+                             glm::ivec2 size, EffectLedger& ledger) {
+  const Sea& sea = simulation.sea();
+  render::View view;
+  view.water = &sea.surface;
+  view.time = simulation.time();
+  view.camera.verticalFieldOfView = radiansFromDegrees(camera.fieldOfView_deg);
+  view.camera.size = size;
+  if (camera.place) {
+    placeFixed(view.camera, camera, sea.geodesy);
+  } else {
+    placeOnMount(view.camera, camera, mountOf(simulation, camera.mount).pose());
+  }
+  const LightSettings& light = scene_->light;
+  view.light.sunElevation = radiansFromDegrees(light.sun.elevation_deg);
+  view.light.sunDirection = sea.geodesy.directionFromTrueHeading(
+      glm::dvec2(view.camera.position), light.sun.azimuth_deg);
+  view.light.windSpeed = light.wind.speed;
+  objects_.clear();
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const VesselPose pose = simulation.vessels()[i].pose();
+    objects_.push_back(
+        {&meshes_[i], glm::dvec3(pose.position, pose.height), pose.worldFromBody()});
+  }
+  view.objects = objects_;
+  view.effects = &ledger;
+  return view;
+}
+
+const SceneCamera& findCamera(const Scene& scene, const std::string& name) {
+  if (scene.cameras.empty()) throw InputError(scene.file.string(), 0, "the scene has no camera");
+  if (name.empty()) return scene.cameras.front();
+  std::vector<std::string> names;
+  for (const SceneCamera& camera : scene.cameras) {
+    if (camera.name == name) return camera;
+    names.push_back(camera.name);
+  }
+  const std::string nearest = nearestName(name, names);
+  throw InputError(scene.file.string(), 0,
+                   "no camera is called '" + name + "'" +
+                       (nearest.empty() ? "; there is '" + names.front() + "'"
+                                        : "; did you mean '" + nearest + "'?"));
+}
+
+}  // namespace seaway::bridge

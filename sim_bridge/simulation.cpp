@@ -1,0 +1,151 @@
+#include "sim_bridge/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "surface/angles.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge {
+namespace {
+
+// A time counts as reached when it is this part of a step away: frames at 1/3 s and steps of
+// 1/30 s meet.
+constexpr double reached = 1e-6;
+
+// How much past a replay goes through, s, provided that motions die down to e⁻²⁰ in it.
+constexpr double rememberedPast = 600.0;
+
+Vessel makeVessel(const SceneVessel& vessel, const Sea& sea) {
+  const auto start =
+      sea.geodesy.seaPlaneFromGeodetic(vessel.start.latitude_deg, vessel.start.longitude_deg);
+  const Course course(
+      start.position,
+      sea.geodesy.directionFromTrueHeading(start.position, vessel.start.heading_deg),
+      vessel.speed, -radiansFromDegrees(vessel.turn_deg));
+  Vessel made(vessel.model.hull, course);
+  made.setCurrent(sea.surface.waves().settings().current);
+  return made;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger)
+    : Simulation(scene, sea, 0, ledger) {}
+
+Simulation Simulation::replayed(const Scene& scene, const Sea& sea, double t) {
+  const bool forgets = std::all_of(
+      scene.vessels.begin(), scene.vessels.end(), [](const SceneVessel& vessel) {
+        const BoxHull& hull = vessel.model.hull;
+        return std::min({hull.heaveDamping * hull.heaveFrequency(),
+                         hull.rollDamping * hull.rollFrequency(),
+                         hull.pitchDamping * hull.pitchFrequency()}) * rememberedPast > 20.0;
+      });
+  const double from = forgets ? std::max(0.0, t - rememberedPast) : 0.0;
+  const auto firstStep = static_cast<long long>(from / scene.run.step);
+  return Simulation(scene, sea, firstStep, nullptr).movedTo(t);
+}
+
+Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
+                       EffectLedger* ledger)
+    : scene_(&scene),
+      sea_(&sea),
+      steps_(firstStep),
+      time_(static_cast<double>(firstStep) * scene.run.step) {
+  std::size_t count = 0;
+  for (const SceneVessel& vessel : scene.vessels) {
+    vessels_.push_back(makeVessel(vessel, sea));
+    count += vessels_.back().sampleCount();
+  }
+  points_.resize(count);
+  samples_.resize(count);
+  sampleAt(time_, ledger);
+  forEachVessel([&](Vessel& vessel, const SceneVessel&, std::span<const SurfaceSample> water) {
+    if (scene.effects[static_cast<std::size_t>(Effect::vesselMotion)] == EffectSetting::off) {
+      vessel.advanceUpright(time_, water);
+    } else {
+      vessel.settle(time_, water);
+    }
+  });
+}
+
+template <class Action>
+void Simulation::forEachVessel(Action action) {
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < vessels_.size(); ++i) {
+    const std::size_t count = vessels_[i].sampleCount();
+    action(vessels_[i], scene_->vessels[i],
+           std::span<const SurfaceSample>(samples_).subspan(from, count));
+    from += count;
+  }
+}
+
+void Simulation::sampleAt(double t, EffectLedger* ledger) {
+  if (vessels_.empty()) return;
+  std::size_t from = 0;
+  for (const Vessel& vessel : vessels_) {
+    vessel.samplePoints(t, std::span(points_).subspan(from, vessel.sampleCount()));
+    from += vessel.sampleCount();
+  }
+  EffectTimer timer(ledger, Effect::waves);
+  if (ledger) {
+    const WaveField& waves = sea_->surface.waves();
+    ledger->decide(Effect::waves, waves.significantWaveHeight() > 0.0,
+                   waves.significantWaveHeight() > 0.0
+                       ? "vessels ask for the water under them"
+                       : "flat water: the field has no octaves");
+    ledger->holdMemory(Effect::waves, waves.memoryBytes());
+  }
+  sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
+}
+
+double Simulation::nextTime() const {
+  return static_cast<double>(steps_ + 1) * scene_->run.step;
+}
+
+void Simulation::advanceTo(double t, EffectLedger* ledger) {
+  sampleAt(t, ledger);
+  bool moves = scene_->effects[static_cast<std::size_t>(Effect::vesselMotion)] !=
+               EffectSetting::off;
+  if (ledger) {
+    moves = ledger->decide(Effect::vesselMotion, !vessels_.empty(),
+                           vessels_.empty() ? "the scene has no vessel" : "the scene has vessels");
+    ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
+                                                 samples_.size() * sizeof(SurfaceSample) +
+                                                 vessels_.size() * sizeof(Vessel));
+  }
+  EffectTimer timer(moves ? ledger : nullptr, Effect::vesselMotion);
+  forEachVessel([&](Vessel& vessel, const SceneVessel& description,
+                    std::span<const SurfaceSample> water) {
+    moves ? vessel.advance(t, water) : vessel.advanceUpright(t, water);
+    const VesselPose pose = vessel.pose();
+    if (!sea_->geodesy.describe(pose.position).inRange) {
+      throw InputError("vessel '" + description.name + "' leaves the scene's range at " +
+                       std::to_string(t) + " s");
+    }
+    if (!std::isfinite(pose.height + pose.roll + pose.pitch)) {
+      throw std::runtime_error("the motion of vessel '" + description.name +
+                               "' is not finite at " + std::to_string(t) + " s");
+    }
+  });
+  time_ = t;
+}
+
+void Simulation::step(EffectLedger* ledger) {
+  advanceTo(nextTime(), ledger);
+  ++steps_;
+}
+
+void Simulation::stepTo(double t, EffectLedger* ledger) {
+  while (nextTime() <= t + reached * scene_->run.step) step(ledger);
+}
+
+Simulation Simulation::movedTo(double t, EffectLedger* ledger) const {
+  Simulation moved = *this;
+  moved.stepTo(t, ledger);
+  if (t > moved.time_ + reached * scene_->run.step) moved.advanceTo(t, ledger);
+  return moved;
+}
+
+}  // namespace seaway::bridge

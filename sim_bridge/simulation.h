@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim_bridge/scene/scene.h"
+#include "sim_bridge/scene/sea.h"
+#include "sim_bridge/vessel/vessel.h"
+#include "surface/effects.h"
+
+namespace seaway::bridge {
+
+/// The vessels of a scene in motion, from the scene's epoch on in equal steps.
+///
+/// A copy is a snapshot: it can be moved on without touching the original. Times are multiples of
+/// the step, never sums, so that a replay gives the same bits.
+class Simulation {
+ public:
+  /// At the scene's start, the vessels set down on the water. `scene` and `sea` must outlive the
+  /// simulation and its copies.
+  Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger = nullptr);
+
+  /// At time `t` ≥ 0, replayed from the start; from 600 s before `t` where that is later and all
+  /// vessels are damped, for by then they have forgotten their start.
+  static Simulation replayed(const Scene& scene, const Sea& sea, double t);
+
+  double time() const { return time_; }
+  double nextTime() const;  ///< after one more step, s
+
+  /// One step. The water is sampled in one batch for all vessels. Throws InputError where a course
+  /// leaves the geodesy's range, std::runtime_error where a motion stops being finite.
+  void step(EffectLedger* ledger = nullptr);
+
+  /// Steps as long as the next whole step does not pass `t`.
+  void stepTo(double t, EffectLedger* ledger = nullptr);
+
+  /// A copy at exactly `t` ≥ time(): whole steps, then a part of one.
+  Simulation movedTo(double t, EffectLedger* ledger = nullptr) const;
+
+  const Scene& scene() const { return *scene_; }
+  const Sea& sea() const { return *sea_; }
+  std::span<const Vessel> vessels() const { return vessels_; }
+
+ private:
+  Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
+  void sampleAt(double t, EffectLedger* ledger);
+  void advanceTo(double t, EffectLedger* ledger);
+  template <class Action>
+  void forEachVessel(Action action);
+
+  const Scene* scene_;
+  const Sea* sea_;
+  std::vector<Vessel> vessels_;
+  std::vector<glm::dvec2> points_;
+  std::vector<SurfaceSample> samples_;
+  long long steps_ = 0;
+  double time_ = 0.0;
+};
+
+}  // namespace seaway::bridge

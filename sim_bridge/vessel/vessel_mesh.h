@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/render_technique.h"
+#include "sim_bridge/scene/vessel_model.h"
+
+namespace seaway::bridge {
+
+/// The drawing of a vessel, built from its box's dimensions and colours, in its body frame (origin:
+/// centre of the waterplane at rest). Parts are closed or seen from outside only.
+render::Mesh vesselMesh(const VesselModel& model);
+
+/// A launch: raked stem, flared bow, chine, sheer, transom; wheelhouse with windows; mast.
+render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing);
+
+/// A discus buoy: round hull, tripod tower with a lantern.
+render::Mesh buoyMesh(const BoxHull& hull, const VesselDrawing& drawing);
+
+}  // namespace seaway::bridge

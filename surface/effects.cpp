@@ -1,0 +1,81 @@
+#include "surface/effects.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace seaway {
+namespace {
+
+constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)> descriptions{{
+    {Effect::waves, "waves", "the wave field, for queries and pictures",
+     "the sea state has a significant wave height above zero"},
+    {Effect::vesselMotion, "vessel_motion", "heave, roll and pitch of vessels from sampled columns",
+     "the scene has a vessel"},
+    {Effect::water, "water", "the sea surface in the picture, on a projected grid",
+     "the volume the waves can reach meets the camera's view"},
+    {Effect::sky, "sky", "procedural sky behind the scene and in reflections",
+     "the picture shows sky or water"},
+    {Effect::sun, "sun", "sun disc and its glitter on the water", "the sun is above the horizon"},
+    {Effect::vesselMeshes, "vessel_meshes", "vessels in the picture",
+     "a vessel's bounding sphere meets the camera's view"},
+}};
+
+std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }
+
+double nowMicroseconds() {
+  using namespace std::chrono;
+  return duration<double, std::micro>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::span<const EffectDescription> effectDescriptions() { return descriptions; }
+
+std::optional<Effect> effectFromName(std::string_view name) {
+  const auto found = std::find_if(descriptions.begin(), descriptions.end(),
+                                  [&](const auto& description) { return description.name == name; });
+  if (found == descriptions.end()) return std::nullopt;
+  return found->effect;
+}
+
+EffectLedger::EffectLedger(const EffectSettings& settings) : settings_(settings) {
+  for (std::size_t i = 0; i < reports_.size(); ++i) {
+    reports_[i].effect = descriptions[i].effect;
+    const bool off = settings_[i] == EffectSetting::off;
+    reports_[i].state = off ? EffectState::off : EffectState::idle;
+    reports_[i].reason = off ? "off in the scene" : "nothing asked for it";
+  }
+}
+
+bool EffectLedger::decide(Effect effect, bool calledFor, std::string_view reason) {
+  EffectReport& report = reports_[indexOf(effect)];
+  const EffectSetting setting = settings_[indexOf(effect)];
+  if (setting == EffectSetting::off) return false;
+  const bool runs = calledFor || setting == EffectSetting::on;
+  if (report.state != EffectState::on || runs) {
+    report.state = runs ? EffectState::on : EffectState::idle;
+    report.reason = calledFor || !runs ? std::string(reason) : "forced on; " + std::string(reason);
+  }
+  return runs;
+}
+
+void EffectLedger::charge(Effect effect, double microseconds) {
+  reports_[indexOf(effect)].costMicroseconds += microseconds;
+}
+
+void EffectLedger::holdMemory(Effect effect, std::size_t bytes) {
+  reports_[indexOf(effect)].memoryBytes = bytes;
+}
+
+std::vector<EffectReport> EffectLedger::report() const {
+  return {reports_.begin(), reports_.end()};
+}
+
+EffectTimer::EffectTimer(EffectLedger* ledger, Effect effect)
+    : ledger_(ledger), effect_(effect), start_(ledger ? nowMicroseconds() : 0.0) {}
+
+EffectTimer::~EffectTimer() {
+  if (ledger_) ledger_->charge(effect_, nowMicroseconds() - start_);
+}
+
+}  // namespace seaway

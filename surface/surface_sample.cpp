@@ -1,0 +1,23 @@
+#include "surface/surface_sample.h"
+
+#include <array>
+#include <utility>
+
+namespace seaway {
+
+std::string statusText(SampleStatus status) {
+  static constexpr std::array<std::pair<SampleStatus, const char*>, 3> names{{
+      {SampleStatus::truncated, "truncated"},
+      {SampleStatus::notFinite, "not_finite"},
+      {SampleStatus::outOfRange, "out_of_range"},
+  }};
+  std::string text;
+  for (const auto& [bit, name] : names) {
+    if (!has(status, bit)) continue;
+    if (!text.empty()) text += '|';
+    text += name;
+  }
+  return text.empty() ? "ok" : text;
+}
+
+}  // namespace seaway

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace seaway {
+
+/// What an answer wants the asker to know; a set of bits, 0 is "ok".
+enum class SampleStatus : std::uint32_t {
+  ok = 0,
+  truncated = 1u << 0,   ///< octaves were left out to meet the tolerance; `error` says how much
+  notFinite = 1u << 1,   ///< the point or the time was NaN or infinite; values are NaN
+  outOfRange = 1u << 2,  ///< farther from the anchor than the geodesy serves; values are NaN
+};
+
+constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {
+  return static_cast<SampleStatus>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr SampleStatus& operator|=(SampleStatus& a, SampleStatus b) { return a = a | b; }
+constexpr bool has(SampleStatus set, SampleStatus bit) {
+  return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(bit)) != 0;
+}
+
+/// "ok", or the names of the bits joined by '|': `truncated|out_of_range`.
+std::string statusText(SampleStatus status);
+
+/// The water surface at one point and time, in the sea plane.
+struct SurfaceSample {
+  double height = 0.0;            ///< m above the still-water level
+  glm::dvec2 slope{0.0};          ///< (∂η/∂x, ∂η/∂y), dimensionless
+  double verticalVelocity = 0.0;  ///< ∂η/∂t at the fixed point, m/s
+  double error = 0.0;             ///< one standard deviation of the height left out, m
+  double bound = 0.0;             ///< largest numerical error of the height, m
+  SampleStatus status = SampleStatus::ok;
+
+  /// Upward unit normal of the surface.
+  glm::dvec3 normal() const { return glm::normalize(glm::dvec3(-slope.x, -slope.y, 1.0)); }
+};
+
+/// How exact an answer is wanted. The default asks for everything.
+struct SampleOptions {
+  /// Height that may be left out, m, one standard deviation; ≥ 0. Octaves are kept by falling
+  /// variance until what remains is no more than this.
+  double tolerance = 0.0;
+};
+
+}  // namespace seaway
