@@ -49,15 +49,17 @@ BandLimit::BandLimit(const WaveField& waves) {
 
 BandLimit::Plan BandLimit::planFor(double spacing) const {
   const auto weightOf = [&](const Entry& octave) {
-    return smoothstep(1.5 * spacing, 3.0 * spacing, octave.wavelength);
+    return smoothstep(2.0 * spacing, 4.0 * spacing, octave.wavelength);
   };
   Plan plan;
   while (plan.kept < octaves_.size() && weightOf(octaves_[plan.kept]) > 0.999) ++plan.kept;
-  // Octaves that hardly raise the sea do not keep a whole prefix alive.
+  // Octaves that neither raise nor tilt the sea do not keep a whole prefix alive.
   plan.fading = octaves_.size();
   while (plan.fading > plan.kept) {
     const Entry& last = octaves_[plan.fading - 1];
-    if (weightOf(last) * last.variance > 1e-4 * totalVariance_) break;
+    const double weight = weightOf(last);
+    if (weight * last.variance > 1e-4 * totalVariance_) break;
+    if (weight * last.slope > 1e-3 * totalSlope_) break;
     --plan.fading;
   }
 

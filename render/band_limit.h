@@ -19,7 +19,7 @@ double coxMunkMeanSquareSlope(double windSpeed);
 
 /// Which waves a grid of a given spacing can carry, and how much slope it has to leave to shading.
 ///
-/// An octave fades out as its dominant wavelength falls from 3 to 1.5 spacings. Octaves come out of
+/// An octave fades out as its dominant wavelength falls from 4 to 2 spacings. Octaves come out of
 /// `WaterSurface::sample` as a prefix (by falling variance), so what fades together is the group of
 /// octaves between two prefixes.
 class BandLimit {
@@ -27,9 +27,9 @@ class BandLimit {
   explicit BandLimit(const WaveField& waves);
 
   struct Plan {
-    std::size_t kept = 0;     ///< octaves carried in full
-    std::size_t fading = 0;   ///< octaves in [kept, fading) are carried times `weight`
-    double weight = 0.0;      ///< [0, 1]
+    std::size_t kept = 0;       ///< octaves carried in full
+    std::size_t fading = 0;     ///< octaves in [kept, fading) are carried times `weight`
+    double weight = 0.0;        ///< [0, 1]
     double missingSlope = 0.0;  ///< mean-square slope that the grid does not carry, ≥ 0
   };
   /// `spacing` m between vertices, > 0.

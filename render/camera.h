@@ -13,11 +13,11 @@ namespace seaway::render {
 /// "world" in their names is the sea plane's axes with the camera's position as origin, so that
 /// single precision suffices however far from the anchor the camera is.
 struct Camera {
-  glm::dvec3 position{0.0, 0.0, 2.0};                     ///< m; z above the still-water level
-  glm::dquat worldFromCamera{1.0, 0.0, 0.0, 0.0};         ///< attitude
-  double verticalFieldOfView = 1.0;                       ///< rad, (0, π)
-  glm::ivec2 size{1280, 720};                             ///< pixels, ≥ 1 each
-  double nearDistance = 0.1;                              ///< m, > 0
+  glm::dvec3 position{0.0, 0.0, 2.0};              ///< m; z above the still-water level
+  glm::dquat worldFromCamera{1.0, 0.0, 0.0, 0.0};  ///< attitude
+  double verticalFieldOfView = 1.0;                ///< rad, (0, π)
+  glm::ivec2 size{1280, 720};                      ///< pixels, ≥ 1 each
+  double nearDistance = 0.1;                       ///< m, > 0
   double farDistance = 50e3;  ///< m, > nearDistance; only `clipFromEye` and culling of objects use
                               ///< it: the sea is drawn to its horizon
 

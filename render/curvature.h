@@ -13,8 +13,8 @@ namespace seaway::render {
 ///
 /// A paraboloid instead of the sphere. It puts the horizon at a dip of atan √(2h/R) where the
 /// sphere has acos(R/(R + h)): their tangents differ by a factor of 1 + h/4R, which is below a
-/// tenth of a pixel (60° over 720 pixels) for eye heights up to 30 km (tests/render/curvature_test.cpp). Finite for
-/// every finite distance.
+/// tenth of a pixel (60° over 720 pixels) for eye heights up to 30 km
+/// (tests/render/curvature_test.cpp). Finite for every finite distance.
 inline double seaDrop(double distance) { return distance * distance / (2.0 * earthMeanRadius); }
 
 /// Distance from an eye at `height` m above still water to its horizon of still water, m.

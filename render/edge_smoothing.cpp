@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 namespace seaway::render {
@@ -64,7 +63,7 @@ glm::vec3 smoothed(const Source& source, int x, int y) {
 void smoothEdges(ColourImage& colour, const DepthImage& depth,
                  std::span<const PixelClass> classes) {
   const glm::ivec2 size = colour.size;
-  std::optional<Source> source;  // copied when the first outline is met
+  const Source source(colour);
   for (int y = 1; y + 1 < size.y; ++y) {
     for (int x = 1; x + 1 < size.x; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * size.x + x;
@@ -76,8 +75,7 @@ void smoothEdges(ColourImage& colour, const DepthImage& depth,
         outline |= classes[n] != classes[i] || farther > depthStep * nearer;
       }
       if (!outline) continue;
-      if (!source) source.emplace(colour);
-      const glm::vec3 result = smoothed(*source, x, y);
+      const glm::vec3 result = smoothed(source, x, y);
       for (int k = 0; k < 3; ++k) {
         colour.rgb[3 * i + k] = static_cast<std::uint8_t>(result[k] + 0.5f);
       }

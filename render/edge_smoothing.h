@@ -10,7 +10,6 @@ namespace seaway::render {
 /// water farther away, a pixel is averaged along the edge that its brightness shows (the idea of
 /// T. Lottes' FXAA, 2009). Waves themselves are left sharp. On the processor, because a software
 /// context would pay for every pixel. All of one size; deterministic.
-void smoothEdges(ColourImage& colour, const DepthImage& depth,
-                 std::span<const PixelClass> classes);
+void smoothEdges(ColourImage& colour, const DepthImage& depth, std::span<const PixelClass> classes);
 
 }  // namespace seaway::render

@@ -28,10 +28,10 @@ enum class PixelClass : std::uint8_t { sky = 0, water = 1, object = 2 };
 /// What a frame cost and how it was made.
 struct FrameStats {
   std::string technique;
-  std::string backend;   ///< such as "osmesa"
-  std::string renderer;  ///< GL_RENDERER of the context
+  std::string backend;                                   ///< such as "osmesa"
+  std::string renderer;                                  ///< GL_RENDERER of the context
   std::vector<std::pair<std::string, double>> passesMs;  ///< wall ms, in order, GL finished
-  std::size_t vertices = 0;       ///< water vertices processed
+  std::size_t vertices = 0;                              ///< water vertices processed
   double vertexEfficiency = 0.0;  ///< of those, the part inside the camera's frustum
   std::size_t boundRedraws = 0;   ///< frames drawn again because a height passed the bounds
 };

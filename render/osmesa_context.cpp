@@ -9,16 +9,26 @@
 
 #include "render/gl/loader.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+// OSMesa keeps its framebuffer records, about a kilobyte, until the process ends.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
+#endif
+
 namespace seaway::render {
 namespace {
 
 class OsmesaContext final : public HeadlessContext {
  public:
   OsmesaContext() {
-    const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA,
-                              OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                              OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              0};
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context_) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
     try {
@@ -29,7 +39,11 @@ class OsmesaContext final : public HeadlessContext {
       throw;
     }
   }
-  ~OsmesaContext() override { OSMesaDestroyContext(context_); }
+  ~OsmesaContext() override {
+    // A destroyed context that stays current could be taken for a new one at the same address.
+    if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    OSMesaDestroyContext(context_);
+  }
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 

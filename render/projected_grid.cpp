@@ -78,7 +78,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void prepareTargets(const Camera& camera);
   bool fillGrid(const View& view, FrameStats& stats);
   struct Drawn {
-    bool water = false, objects = false;
+    bool water = false, objects = false, underWater = false;
   };
   Drawn drawGeometry(const View& view, FrameStats& stats);
   ShadingInput decideLight(const View& view);
@@ -100,8 +100,9 @@ void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
   const int most = context_.maximumSize();
   if (camera.size.x > most || camera.size.y > most) {
     throw InputError("camera: image size " + std::to_string(camera.size.x) + "x" +
-                     std::to_string(camera.size.y) + " is not allowed; the graphics context takes " +
-                     std::to_string(most) + " pixels at most");
+                     std::to_string(camera.size.y) +
+                     " is not allowed; the graphics context takes " + std::to_string(most) +
+                     " pixels at most");
   }
   if (!targets_ || targets_->size != camera.size) {
     targets_.reset();
@@ -131,12 +132,15 @@ bool ProjectedGridTechnique::fillGrid(const View& view, FrameStats& stats) {
   return true;
 }
 
-ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) {
+ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& view,
+                                                                   FrameStats& stats) {
   Drawn drawn;
   const Clock::time_point start = Clock::now();
   if (view.water) drawn.water = fillGrid(view, stats);
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
+  const glm::dvec3 eye = view.camera.position;
+  drawn.underWater = drawn.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
   if (drawn.water) view.effects->charge(Effect::water, 1e3 * fillMs);
 
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->geometry);
@@ -156,12 +160,11 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   if (drawn.water) {
     timed(view, stats, "water", Effect::water, [&] {
       if (!water_) water_.emplace();
-      water_->draw(grid_, clipFromRelativeWorld);
+      water_->draw(grid_, clipFromRelativeWorld, drawn.underWater);
     });
   }
-  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(), [&](const auto& o) {
-    return inView(o, view.camera);
-  });
+  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
+                                     [&](const auto& o) { return inView(o, view.camera); });
   drawn.objects =
       view.effects->decide(Effect::vesselMeshes, anyInView,
                            anyInView ? "a vessel is in the camera's view" : "no vessel in view") &&
@@ -199,9 +202,7 @@ void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameSt
   }
   input.waterIsOn = drawn.water;
   input.objectsAreOn = drawn.objects;
-  const glm::dvec3 eye = view.camera.position;
-  input.cameraIsUnderWater =
-      drawn.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
+  input.cameraIsUnderWater = drawn.underWater;
   timed(view, stats, "shading", drawn.water ? Effect::water : Effect::sky, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);
@@ -229,7 +230,8 @@ Frame ProjectedGridTechnique::draw(const View& view) {
   const Drawn drawn = drawGeometry(view, frame.stats);
   shade(view, drawn, frame.stats);
   timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
-  timed(view, frame.stats, "smoothing", std::nullopt, [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
+  timed(view, frame.stats, "smoothing", std::nullopt,
+        [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
   holdMemory(*view.effects);
   checkGl("projected grid");
   return frame;

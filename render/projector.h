@@ -33,7 +33,7 @@ struct ProjectorOptions {
 class Projector {
  public:
   /// `heightBound` m ≥ 0. Empty where no water can be in the picture. Camera and options must be
-  /// in their ranges (`validate` in projected_grid.h).
+  /// in their ranges (`validate` in camera.h).
   static std::optional<Projector> aimedAt(const Camera& camera, double heightBound,
                                           const ProjectorOptions& options = {});
 

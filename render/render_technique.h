@@ -63,8 +63,8 @@ class RenderTechnique {
 
 /// How finely the projected grid samples the sea.
 struct ProjectedGridOptions {
-  glm::ivec2 grid{256, 256};          ///< vertices across, vertices along; ≥ 2 each
-  double projectorElevation = 1.0;    ///< least height of the projector above the highest wave, m
+  glm::ivec2 grid{256, 256};        ///< vertices across, vertices along; ≥ 2 each
+  double projectorElevation = 1.0;  ///< least height of the projector above the highest wave, m
 };
 
 /// Projected grid, vertices computed on the CPU from `View::water` (Johanson 2004, "CPU-based

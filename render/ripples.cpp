@@ -14,7 +14,7 @@
 namespace seaway::render {
 namespace {
 
-constexpr int leastCycles = 4, mostCycles = 30;  // of ripples across the patch
+constexpr int leastCycles = 8, mostCycles = 56;  // of ripples across the patch
 
 /// Small generator of our own: the standard library's distributions differ between libraries.
 class Draw {
@@ -36,7 +36,7 @@ struct Ripple {
 std::vector<Ripple> drawRipples() {
   std::vector<Ripple> ripples;
   Draw draw;
-  while (ripples.size() < 56) {
+  while (ripples.size() < 72) {
     const double length = leastCycles * std::pow(double{mostCycles} / leastCycles, draw.next());
     const double angle = (draw.next() + draw.next() + draw.next() - 1.5) * pi;  // mostly along +x
     ripples.push_back({glm::round(length * unitVector(angle)), 2.0 * pi * draw.next()});
@@ -88,8 +88,8 @@ Ripples ripplesFor(const WaveField& waves, double windSpeed) {
       std::max(coxMunkMeanSquareSlope(windSpeed) - BandLimit(waves).totalSlope(), 0.0);
   ripples.layerSlope = 0.32 * missing;
   ripples.hairSlope = missing - 2.0 * ripples.layerSlope;
-  const double side = std::clamp(leastCycles * shortest, 1.5, 8.0);
-  const double sides[2] = {side, 0.231 * side};
+  const double side = std::clamp(leastCycles * shortest, 2.0, 14.0);
+  const double sides[2] = {side, 0.331 * side};
   const double turned[2] = {0.4, -0.5};
   for (int layer = 0; layer < 2; ++layer) {
     const double angle = towards + turned[layer];
@@ -97,7 +97,7 @@ Ripples ripplesFor(const WaveField& waves, double windSpeed) {
     // Columns of the inverse are the patch's sides in the sea plane.
     ripples.textureFromWorld[layer] =
         glm::dmat2(along.x, -along.y, along.y, along.x) / sides[layer];
-    const double wavelength = sides[layer] / 10.0;
+    const double wavelength = sides[layer] / 20.0;
     ripples.drift[layer] = along * std::sqrt(standardGravity * wavelength / (2.0 * pi));
   }
   return ripples;

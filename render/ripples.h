@@ -1,8 +1,8 @@
 #pragma once
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/mat2x2.hpp>
 #include <vector>
 
 #include "surface/field/wave_field.h"

@@ -47,8 +47,8 @@ class SeaGrid {
   glm::ivec2 size_{0};
   std::vector<SeaVertex> vertices_;
   std::vector<std::uint32_t> indices_;
-  std::vector<std::uint8_t> outside_;          // bits: behind the near plane, left, right, below, above
-  std::vector<glm::dvec2> base_, points_;      // of a row: relative to the foot point, in the plane
+  std::vector<std::uint8_t> outside_;      // bits: behind the near plane, left, right, below, above
+  std::vector<glm::dvec2> base_, points_;  // of a row: relative to the foot point, in the plane
   std::vector<SurfaceSample> full_, partial_;  // of a row
   double largestHeight_ = 0.0;
   std::size_t verticesInFrustum_ = 0;

@@ -33,8 +33,7 @@ std::optional<double> distanceToWater(const WaterSurface& water, double time, gl
     const double sinking = std::abs(direction.z) + level * level * before / earthMeanRadius + 1e-12;
     const double step = std::max(clear / sinking, side * height / (sinking + level * steepest));
     const double capped = std::min(step, options.farDistance);
-    const double next =
-        before + std::max({capped, options.leastStep * before, options.tolerance});
+    const double next = before + std::max({capped, options.leastStep * before, options.tolerance});
     const double nextHeight = aboveWater(next);
     if (side * nextHeight <= 0.0) {
       double low = before, high = next;

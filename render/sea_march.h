@@ -8,10 +8,10 @@
 namespace seaway::render {
 
 struct MarchOptions {
-  double tolerance = 1e-4;        ///< m along the ray, > 0
-  double nearDistance = 0.1;      ///< m: where the ray starts
-  double farDistance = 100e3;     ///< m: where it gives up
-  double leastStep = 1e-3;        ///< part of the distance travelled
+  double tolerance = 1e-4;     ///< m along the ray, > 0
+  double nearDistance = 0.1;   ///< m: where the ray starts
+  double farDistance = 100e3;  ///< m: where it gives up
+  double leastStep = 1e-3;     ///< part of the distance travelled
 };
 
 /// Distance in metres along a ray to the water, from above or from below; empty where it meets

@@ -19,8 +19,7 @@ const Vessel& mountOf(const Simulation& simulation, const std::string& name) {
 void placeOnMount(render::Camera& camera, const SceneCamera& description, VesselPose mount) {
   if (description.stabilised) mount.height = mount.pitch = mount.roll = 0.0;
   const glm::dquat worldFromBody = mount.worldFromBody();
-  camera.position =
-      glm::dvec3(mount.position, mount.height) + worldFromBody * description.position;
+  camera.position = glm::dvec3(mount.position, mount.height) + worldFromBody * description.position;
   camera.worldFromCamera =
       worldFromBody * render::attitude(-radiansFromDegrees(description.yaw_deg),
                                        radiansFromDegrees(description.pitch_deg),
@@ -32,10 +31,9 @@ void placeFixed(render::Camera& camera, const SceneCamera& description, const Ge
   const glm::dvec2 position =
       geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg).position;
   camera.position = glm::dvec3(position, place.height);
-  camera.worldFromCamera =
-      render::attitude(geodesy.directionFromTrueHeading(position, description.yaw_deg),
-                       radiansFromDegrees(description.pitch_deg),
-                       radiansFromDegrees(description.roll_deg));
+  camera.worldFromCamera = render::attitude(
+      geodesy.directionFromTrueHeading(position, description.yaw_deg),
+      radiansFromDegrees(description.pitch_deg), radiansFromDegrees(description.roll_deg));
 }
 
 }  // namespace
@@ -60,14 +58,13 @@ render::View SceneView::view(const Simulation& simulation, const SceneCamera& ca
   }
   const LightSettings& light = scene_->light;
   view.light.sunElevation = radiansFromDegrees(light.sun.elevation_deg);
-  view.light.sunDirection = sea.geodesy.directionFromTrueHeading(
-      glm::dvec2(view.camera.position), light.sun.azimuth_deg);
+  view.light.sunDirection =
+      sea.geodesy.directionFromTrueHeading(glm::dvec2(view.camera.position), light.sun.azimuth_deg);
   view.light.windSpeed = light.wind.speed;
   objects_.clear();
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const VesselPose pose = simulation.vessels()[i].pose();
-    objects_.push_back(
-        {&meshes_[i], glm::dvec3(pose.position, pose.height), pose.worldFromBody()});
+    objects_.push_back({&meshes_[i], glm::dvec3(pose.position, pose.height), pose.worldFromBody()});
   }
   view.objects = objects_;
   view.effects = &ledger;

@@ -22,8 +22,8 @@ Vessel makeVessel(const SceneVessel& vessel, const Sea& sea) {
       sea.geodesy.seaPlaneFromGeodetic(vessel.start.latitude_deg, vessel.start.longitude_deg);
   const Course course(
       start.position,
-      sea.geodesy.directionFromTrueHeading(start.position, vessel.start.heading_deg),
-      vessel.speed, -radiansFromDegrees(vessel.turn_deg));
+      sea.geodesy.directionFromTrueHeading(start.position, vessel.start.heading_deg), vessel.speed,
+      -radiansFromDegrees(vessel.turn_deg));
   Vessel made(vessel.model.hull, course);
   made.setCurrent(sea.surface.waves().settings().current);
   return made;
@@ -35,12 +35,14 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger)
     : Simulation(scene, sea, 0, ledger) {}
 
 Simulation Simulation::replayed(const Scene& scene, const Sea& sea, double t) {
-  const bool forgets = std::all_of(
-      scene.vessels.begin(), scene.vessels.end(), [](const SceneVessel& vessel) {
+  const bool forgets =
+      std::all_of(scene.vessels.begin(), scene.vessels.end(), [](const SceneVessel& vessel) {
         const BoxHull& hull = vessel.model.hull;
         return std::min({hull.heaveDamping * hull.heaveFrequency(),
                          hull.rollDamping * hull.rollFrequency(),
-                         hull.pitchDamping * hull.pitchFrequency()}) * rememberedPast > 20.0;
+                         hull.pitchDamping * hull.pitchFrequency()}) *
+                   rememberedPast >
+               20.0;
       });
   const double from = forgets ? std::max(0.0, t - rememberedPast) : 0.0;
   const auto firstStep = static_cast<long long>(from / scene.run.step);
@@ -92,22 +94,19 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
   if (ledger) {
     const WaveField& waves = sea_->surface.waves();
     ledger->decide(Effect::waves, waves.significantWaveHeight() > 0.0,
-                   waves.significantWaveHeight() > 0.0
-                       ? "vessels ask for the water under them"
-                       : "flat water: the field has no octaves");
+                   waves.significantWaveHeight() > 0.0 ? "vessels ask for the water under them"
+                                                       : "flat water: the field has no octaves");
     ledger->holdMemory(Effect::waves, waves.memoryBytes());
   }
   sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
 }
 
-double Simulation::nextTime() const {
-  return static_cast<double>(steps_ + 1) * scene_->run.step;
-}
+double Simulation::nextTime() const { return static_cast<double>(steps_ + 1) * scene_->run.step; }
 
 void Simulation::advanceTo(double t, EffectLedger* ledger) {
   sampleAt(t, ledger);
-  bool moves = scene_->effects[static_cast<std::size_t>(Effect::vesselMotion)] !=
-               EffectSetting::off;
+  bool moves =
+      scene_->effects[static_cast<std::size_t>(Effect::vesselMotion)] != EffectSetting::off;
   if (ledger) {
     moves = ledger->decide(Effect::vesselMotion, !vessels_.empty(),
                            vessels_.empty() ? "the scene has no vessel" : "the scene has vessels");
@@ -116,19 +115,19 @@ void Simulation::advanceTo(double t, EffectLedger* ledger) {
                                                  vessels_.size() * sizeof(Vessel));
   }
   EffectTimer timer(moves ? ledger : nullptr, Effect::vesselMotion);
-  forEachVessel([&](Vessel& vessel, const SceneVessel& description,
-                    std::span<const SurfaceSample> water) {
-    moves ? vessel.advance(t, water) : vessel.advanceUpright(t, water);
-    const VesselPose pose = vessel.pose();
-    if (!sea_->geodesy.describe(pose.position).inRange) {
-      throw InputError("vessel '" + description.name + "' leaves the scene's range at " +
-                       std::to_string(t) + " s");
-    }
-    if (!std::isfinite(pose.height + pose.roll + pose.pitch)) {
-      throw std::runtime_error("the motion of vessel '" + description.name +
-                               "' is not finite at " + std::to_string(t) + " s");
-    }
-  });
+  forEachVessel(
+      [&](Vessel& vessel, const SceneVessel& description, std::span<const SurfaceSample> water) {
+        moves ? vessel.advance(t, water) : vessel.advanceUpright(t, water);
+        const VesselPose pose = vessel.pose();
+        if (!sea_->geodesy.describe(pose.position).inRange) {
+          throw InputError("vessel '" + description.name + "' leaves the scene's range at " +
+                           std::to_string(t) + " s");
+        }
+        if (!std::isfinite(pose.height + pose.roll + pose.pitch)) {
+          throw std::runtime_error("the motion of vessel '" + description.name +
+                                   "' is not finite at " + std::to_string(t) + " s");
+        }
+      });
   time_ = t;
 }
 

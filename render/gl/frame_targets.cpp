@@ -9,11 +9,11 @@ namespace seaway::render {
 
 FrameTargets::FrameTargets(glm::ivec2 imageSize)
     : size(imageSize),
-      surface(makeTexture(GL_RGBA32F, size, GL_NEAREST)),
+      surface(makeTexture(GL_RGBA16F, size, GL_NEAREST)),
       albedo(makeTexture(GL_RGBA8, size, GL_NEAREST)),
       distance(makeTexture(GL_R32F, size, GL_NEAREST)),
       depth(makeTexture(GL_DEPTH32F_STENCIL8, size, GL_NEAREST)),
-      radiance(makeTexture(GL_RGBA32F, size, GL_NEAREST)),
+      radiance(makeTexture(GL_RGBA16F, size, GL_NEAREST)),
       display(makeTexture(GL_SRGB8_ALPHA8, size, GL_NEAREST)),
       geometry(makeFramebuffer({surface, albedo, distance}, depth)),
       shading(makeFramebuffer({radiance}, depth)),

@@ -76,16 +76,14 @@ GlFramebuffer makeFramebuffer(std::initializer_list<GLuint> colours, GLuint dept
     glNamedFramebufferTexture(name, attachments.back(), colour, 0);
   }
   if (depth != 0) glNamedFramebufferTexture(name, GL_DEPTH_STENCIL_ATTACHMENT, depth, 0);
-  glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(attachments.size()),
-                                attachments.data());
+  glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(attachments.size()), attachments.data());
   if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw std::runtime_error("framebuffer is not complete");
   }
   return framebuffer;
 }
 
-GlProgram::GlProgram(ShaderParts vertex, ShaderParts fragment)
-    : name_(glCreateProgram()) {
+GlProgram::GlProgram(ShaderParts vertex, ShaderParts fragment) : name_(glCreateProgram()) {
   const GLuint vertexShader = compile(GL_VERTEX_SHADER, vertex);
   glAttachShader(name_, vertexShader);
   glDeleteShader(vertexShader);  // the program keeps it

@@ -78,8 +78,7 @@ void ShadingPass::setWater(const ShadingInput& input) {
     water_.set(origins[layer], glm::vec2(ripples.textureCoordinate(
                                    layer, glm::dvec2(view.camera.position), view.time)));
   }
-  water_.set("crestHeight",
-             static_cast<float>(0.5 * view.water->waves().significantWaveHeight()));
+  water_.set("crestHeight", static_cast<float>(0.5 * view.water->waves().significantWaveHeight()));
 }
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
@@ -122,8 +121,7 @@ void ShadingPass::mapTones(const FrameTargets& targets, const ShadingInput& inpu
 
 std::size_t ShadingPass::waterMemoryBytes() const {
   if (!waterTables_) return 0;
-  return fresnelColumns * fresnelRows * 8 +
-         rippleSide * rippleSide * 8 * 4 / 3;
+  return fresnelColumns * fresnelRows * 16 + rippleSide * rippleSide * 16 * 4 / 3;
 }
 
 }  // namespace seaway::render

@@ -25,6 +25,6 @@ void SkyPass::draw(glm::vec3 sunDirection) {
   drawnFor_ = sunDirection;
 }
 
-std::size_t SkyPass::memoryBytes() const { return std::size_t{side} * side * 8 * 4 / 3; }
+std::size_t SkyPass::memoryBytes() const { return std::size_t{side} * side * 16 * 4 / 3; }
 
 }  // namespace seaway::render

@@ -14,13 +14,16 @@ WaterPass::WaterPass() : program_({"water.vert"}, {"water.frag"}), array_(makeVe
   floatAttribute(array_, 2, 2, offsetof(SeaVertex, height));
 }
 
-void WaterPass::draw(const SeaGrid& grid, const glm::mat4& clipFromRelativeWorld) {
+void WaterPass::draw(const SeaGrid& grid, const glm::mat4& clipFromRelativeWorld,
+                     bool cameraIsUnderWater) {
   if (grid.indices().empty()) return;
   vertices_.put(std::span(grid.vertices()));
   indices_.put(std::span(grid.indices()));
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, stencilWater, 0xFF);
-  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, stencilUnderside, 0xFF);
+  // From above, a back side that shows is a crest's rim within a pixel, not the underside.
+  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, cameraIsUnderWater ? stencilUnderside : stencilWater,
+                        0xFF);
   glUseProgram(program_);
   glBindVertexArray(array_);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid.indices().size()), GL_UNSIGNED_INT,

@@ -11,7 +11,7 @@ namespace seaway::render {
 class WaterPass {
  public:
   WaterPass();
-  void draw(const SeaGrid& grid, const glm::mat4& clipFromRelativeWorld);
+  void draw(const SeaGrid& grid, const glm::mat4& clipFromRelativeWorld, bool cameraIsUnderWater);
   std::size_t memoryBytes() const { return vertices_.memoryBytes() + indices_.memoryBytes(); }
 
  private:

@@ -5,7 +5,7 @@
 const float pi = 3.14159265;
 const vec3 solar = vec3(20.0, 19.6, 18.6);
 const vec3 rayleigh = vec3(0.046, 0.108, 0.262);  // zenith optical depth at 650, 550, 440 nm
-const vec3 aerosol = vec3(0.085, 0.095, 0.105);
+const vec3 aerosol = vec3(0.050, 0.055, 0.060);
 
 // Path through the air in zenith paths; 33 at the horizon.
 float airMass(float sineOfElevation) {
@@ -25,18 +25,18 @@ vec3 skyRadiance(vec3 direction, vec3 sun) {
   float cosine = dot(direction, sun);
   float seen = airMass(direction.z), lit = airMass(sun.z);
   vec3 depth = rayleigh + aerosol;
-  float g = 0.72;
+  float g = 0.76;
   float rayleighPhase = 3.0 / (16.0 * pi) * (1.0 + cosine * cosine);
   float aerosolPhase =
       (1.0 - g * g) / (4.0 * pi * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
-  vec3 scattered = (rayleigh * rayleighPhase + 0.92 * aerosol * aerosolPhase) / depth;
+  vec3 scattered = (rayleigh * rayleighPhase + 0.65 * aerosol * aerosolPhase) / depth;
   // Integral of exp(-t lit) exp(-(depth - t) seen) over the layer, stable where both are equal.
   vec3 x = depth * (seen - lit);
   vec3 safe = mix(x, vec3(1.0), lessThan(abs(x), vec3(1e-3)));
   vec3 shape = mix((1.0 - exp(-safe)) / safe, vec3(1.0), lessThan(abs(x), vec3(1e-3)));
   vec3 once = scattered * depth * seen * exp(-depth * lit) * shape;
   vec3 often = 0.055 * (1.0 - exp(-(rayleigh + 0.6 * aerosol) * seen)) *
-               exp(-0.35 * depth * min(lit, 12.0));
+               exp(-0.14 * depth * lit);
   return solar * (once + often) * daylight(sun) + vec3(0.6, 1.0, 1.8) * 1e-3;
 }
 
@@ -76,8 +76,8 @@ vec3 skyWithClouds(vec3 direction, vec3 sun) {
   float density = smoothstep(0.47, 0.85, clouds(vec2(0.55, 1.5) * overhead + 2.3));
   float cover = 0.75 * density * smoothstep(0.015, 0.22, up);
   float forward = pow(max(dot(direction, sun), 0.0), 8.0);
-  vec3 lit = sunIrradiance(sun) * (0.045 + 0.11 * forward) +
-             0.55 * skyRadiance(vec3(0.0, 0.0, 1.0), sun) + 0.25 * clear;
+  vec3 lit = sunIrradiance(sun) * (0.075 + 0.11 * forward) +
+             0.6 * skyRadiance(vec3(0.0, 0.0, 1.0), sun) + 0.35 * clear;
   return mix(clear, lit, cover);
 }
 

@@ -20,7 +20,7 @@ float addRipples(vec3 relative, float distance, float cosine, inout vec2 slope) 
   for (int i = 0; i < 2; ++i) {
     vec2 coordinate = rippleOrigin[i] + rippleFromWorld[i] * relative.xy;
     float perMetre = length(rippleFromWorld[i][0]) * rippleTexels;
-    float footprint = distance * pixelAngle * inversesqrt(max(cosine, 0.02)) * perMetre;
+    float footprint = 1.4 * distance * pixelAngle * inversesqrt(max(cosine, 0.02)) * perMetre;
     vec3 moments = textureLod(rippleMap, coordinate, log2(max(footprint, 1e-6))).xyz;
     mat2 worldFromRipple = transpose(rippleFromWorld[i]) / length(rippleFromWorld[i][0]);
     slope += sqrt(rippleSlope) * (worldFromRipple * moments.xy);
@@ -49,15 +49,13 @@ vec3 glitter(vec3 toViewer, vec2 slope, float variance, float area) {
 }
 
 vec3 upwelling(vec3 toViewer, vec2 slope, float height) {
-  vec3 deep = deepWater();
-  // Thin crests let light through, most where the viewer looks through them towards the sun.
-  float crest = clamp(0.45 + 0.55 * height / max(crestHeight, 0.02), 0.0, 1.6);
-  float face = clamp(0.25 + 1.6 * dot(-slope, toViewer.xy), 0.0, 1.0);
+  // Thin crests let light through where the viewer looks at them from the side, most towards the
+  // sun.
+  float crest = clamp(0.5 + 0.5 * height / max(crestHeight, 0.02), 0.0, 1.5);
+  float face = clamp(0.2 + 1.6 * dot(-slope, toViewer.xy), 0.0, 1.0) * (1.0 - toViewer.z);
   float against = pow(max(dot(-toViewer.xy, sunDirection.xy), 0.0), 2.0);
-  float steep = min(crestHeight, 1.0);
-  return deep * (0.75 + 0.45 * crest * crest) +
-         crestTransmission * crest * crest * face * steep *
-             (0.06 * skyLight + 0.05 * against * sunLight);
+  return deepWater() + crestTransmission * crest * crest * face * min(crestHeight, 1.0) *
+                           (0.08 * skyLight + 0.06 * against * sunLight);
 }
 
 vec3 shadeWater(vec4 surface, vec3 relative, float distance) {
@@ -66,13 +64,16 @@ vec3 shadeWater(vec4 surface, vec3 relative, float distance) {
   vec3 normal = normalize(vec3(-slope, 1.0));
   float meanSquare = surface.z + hairSlope +
                      addRipples(relative, distance, max(dot(normal, toViewer), 0.0), slope);
+  // Where the mean slope faces away, what is seen are facets that do not.
+  vec2 towards = normalize(toViewer.xy + vec2(1e-6, 0.0));
+  float facing = dot(vec3(-slope, 1.0), toViewer);
+  slope += towards * min(facing, 0.0) / max(length(toViewer.xy), 0.1);
   normal = normalize(vec3(-slope, 1.0));
   float variance = 0.5 * meanSquare;  // along one axis
   float cosine = max(dot(normal, toViewer), 0.0);
   float deviation = sqrt(variance);
   vec3 rough = texture(fresnelTable, vec2(sqrt(cosine), deviation / roughestSlope)).xyz;
 
-  vec2 towards = normalize(toViewer.xy + vec2(1e-6, 0.0));
   vec3 tilted = normalize(vec3(-slope + rough.y * towards, 1.0));
   vec3 mirrored = reflect(-toViewer, tilted);
   mirrored.z = abs(mirrored.z);  // a ray that starts downwards is mirrored once more

@@ -12,7 +12,7 @@ uniform bool cameraIsUnderWater;
 
 layout(location = 0) out vec4 radiance;
 
-const vec3 deepReflectance = vec3(0.0035, 0.0200, 0.0330);  // of light below the surface
+const vec3 deepReflectance = vec3(0.0050, 0.0300, 0.0520);  // of light below the surface
 const vec3 waterExtinction = vec3(0.40, 0.075, 0.055);      // 1/m
 const float visibility = 28e3;                              // m, at 2 % contrast
 

@@ -14,7 +14,7 @@ void main() {
   // Exposed for the light that falls on the scene, as a hand-held meter would; at night the eye
   // does not follow all the way.
   vec3 light = skyLight + 0.25 * sunLight * max(sunDirection.z, 0.0) / pi;
-  float exposure = 0.42 / (dot(light, vec3(0.2126, 0.7152, 0.0722)) + 0.02);
+  float exposure = 0.46 / (dot(light, vec3(0.2126, 0.7152, 0.0722)) + 0.02);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   pixel.y = textureSize(radianceMap, 0).y - 1 - pixel.y;
   display = vec4(filmic(exposure * texelFetch(radianceMap, pixel, 0).rgb), 1.0);

@@ -18,8 +18,8 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand, addQueryCommand, addRenderCommand, addFitCommand, addExplainCommand, addCostCommand,
-    addSchemaCommand,
+    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
+    addExplainCommand, addCostCommand,  addSchemaCommand,
 };
 
 constexpr int failed = 1;

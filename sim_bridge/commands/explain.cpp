@@ -16,9 +16,12 @@ namespace {
 
 const char* stateName(EffectState state) {
   switch (state) {
-    case EffectState::on: return "on";
-    case EffectState::idle: return "idle";
-    case EffectState::off: return "off";
+    case EffectState::on:
+      return "on";
+    case EffectState::idle:
+      return "idle";
+    case EffectState::off:
+      return "off";
   }
   return "";
 }

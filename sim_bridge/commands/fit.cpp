@@ -28,8 +28,9 @@ FittedSeaState asSeaState(const OctaveFit& fit, const SpectrumSource& source,
   provenance.source = source.source;
   provenance.recordTime = source.recordTime;
   provenance.model = options.model;
-  provenance.options = fmt::format("octaves {}, from_deg {}, depth_m {}", options.octaves,
-                                   numberText(options.from_deg.value_or(0.0)), numberText(options.depth));
+  provenance.options =
+      fmt::format("octaves {}, from_deg {}, depth_m {}", options.octaves,
+                  numberText(options.from_deg.value_or(0.0)), numberText(options.depth));
   provenance.judgedOn = "S(k)";
   provenance.hm0Target = fit.summary.hm0Target;
   provenance.hm0Fit = fit.summary.hm0Fit;
@@ -42,7 +43,8 @@ FittedSeaState asSeaState(const OctaveFit& fit, const SpectrumSource& source,
 }
 
 constexpr const char* judgement =
-    "A Perlin fit is made and judged on the wave-number spectrum S(k): at a fixed point such a field "
+    "A Perlin fit is made and judged on the wave-number spectrum S(k): at a fixed point such a "
+    "field "
     "is nearly flat in frequency up to its peak.";
 
 void writeText(const OctaveFit& fit, const SpectrumSource& source, const FitOptions& options,
@@ -69,15 +71,14 @@ void writeJson(const OctaveFit& fit, const SpectrumSource& source, const FitOpti
                        {"lattice_m", octave.latticeSize},
                        {"toward_deg", compassTowardFromToward(octave.toward)}});
   }
-  nlohmann::ordered_json result{
-      {"source", source.source}, {"record_time", source.recordTime},
-      {"model", options.model},  {"usable", s.usable},
-      {"message", s.message},    {"hm0_target_m", s.hm0Target},
-      {"hm0_fit_m", s.hm0Fit},   {"tm02_target_s", s.tm02Target},
-      {"tm02_fit_s", s.tm02Fit}, {"tp_target_s", s.tpTarget},
-      {"tp_fit_s", s.tpFit},     {"residual_l2", s.residualL2},
-      {"judged_on", "S(k)"},     {"note", judgement},
-      {"iterations", s.iterations}, {"octaves", std::move(octaves)}};
+  nlohmann::ordered_json result{{"source", source.source},    {"record_time", source.recordTime},
+                                {"model", options.model},     {"usable", s.usable},
+                                {"message", s.message},       {"hm0_target_m", s.hm0Target},
+                                {"hm0_fit_m", s.hm0Fit},      {"tm02_target_s", s.tm02Target},
+                                {"tm02_fit_s", s.tm02Fit},    {"tp_target_s", s.tpTarget},
+                                {"tp_fit_s", s.tpFit},        {"residual_l2", s.residualL2},
+                                {"judged_on", "S(k)"},        {"note", judgement},
+                                {"iterations", s.iterations}, {"octaves", std::move(octaves)}};
   if (!options.out.empty()) result["out"] = options.out;
   out << result.dump(2) << '\n';
 }
@@ -110,8 +111,9 @@ int runFit(const FitOptions& options, std::ostream& out) {
 void addFitCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("fit", "Fit octaves to a spectrum");
   auto options = std::make_shared<FitOptions>();
-  command->add_option("SPECTRUM", options->spectrum,
-                      "NDBC spectral density file, jonswap:Hs,Tp,gamma or pm:Hs,Tp")
+  command
+      ->add_option("SPECTRUM", options->spectrum,
+                   "NDBC spectral density file, jonswap:Hs,Tp,gamma or pm:Hs,Tp")
       ->required();
   command->add_option("--record", options->record, "record of the file, from 0 (default 0)");
   command->add_option("--time", options->time, "record nearest to this time, ISO 8601, UTC");

@@ -10,14 +10,15 @@
 namespace seaway::bridge {
 
 struct FitOptions {
-  std::string spectrum;           ///< file, `jonswap:Hs,Tp,gamma` or `pm:Hs,Tp`
-  std::optional<int> record;      ///< of a file, from 0
-  std::string time;               ///< of a file, ISO 8601
+  std::string spectrum;       ///< file, `jonswap:Hs,Tp,gamma` or `pm:Hs,Tp`
+  std::optional<int> record;  ///< of a file, from 0
+  std::string time;           ///< of a file, ISO 8601
   std::string model = "perlin";
   int octaves = 8;
-  std::optional<double> from_deg; ///< compass direction the waves come from; else 0, with a warning
+  std::optional<double>
+      from_deg;  ///< compass direction the waves come from; else 0, with a warning
   double depth = std::numeric_limits<double>::infinity();  ///< m
-  std::string out;                ///< sea state file
+  std::string out;                                         ///< sea state file
   bool json = false;
 };
 

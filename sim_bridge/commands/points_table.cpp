@@ -130,7 +130,8 @@ PointsTable readPoints(std::istream& in, const std::string& source) {
   table.source = source;
   Reader(table).read(in);
   if (table.header.empty()) {
-    throw InputError(source, 0, "is empty; the header latitude_deg,longitude_deg or x_m,y_m is wanted");
+    throw InputError(source, 0,
+                     "is empty; the header latitude_deg,longitude_deg or x_m,y_m is wanted");
   }
   findColumns(table);
   return table;

@@ -22,7 +22,7 @@ namespace seaway::bridge {
 namespace {
 
 constexpr const char* resultColumns[] = {"height_m", "slope_x", "slope_y", "velocity_z_m_s",
-                                         "error_m", "bound_m", "status"};
+                                         "error_m",  "bound_m", "status"};
 
 struct Point {
   glm::dvec2 position{0.0};  // sea plane, m
@@ -100,8 +100,8 @@ double ellipsoidalHeight(const Sea& sea, const Point& point, const SurfaceSample
 }
 
 std::vector<double> numbersOf(const SurfaceSample& sample) {
-  return {sample.height, sample.slope.x, sample.slope.y, sample.verticalVelocity,
-          sample.error,  sample.bound};
+  return {sample.height,           sample.slope.x, sample.slope.y,
+          sample.verticalVelocity, sample.error,   sample.bound};
 }
 
 void writeCsv(const PointsTable& table, const std::vector<Answer>& answers, bool ellipsoidal,
@@ -152,7 +152,8 @@ void writeJson(const PointsTable& table, const std::vector<Answer>& answers, boo
 
 PointsTable pointsTable(const QueryOptions& options, std::istream& in) {
   if (options.points.empty() == options.at.empty()) {
-    throw InputError("points are wanted: either --points FILE (- for standard input) or --at LAT,LON");
+    throw InputError(
+        "points are wanted: either --points FILE (- for standard input) or --at LAT,LON");
   }
   if (!options.at.empty()) return pointsFromArguments(options.at);
   if (options.points == "-") return readPoints(in, "standard input");

@@ -20,25 +20,24 @@ void report(const RenderOptions& options, const SceneCamera& camera, const rende
   const render::FrameStats& stats = frame.stats;
   if (!options.json) {
     out << options.out << ": camera '" << camera.name << "' at " << options.time << " s, "
-        << frame.colour.size.x << "x" << frame.colour.size.y << ", drawn in " << drawMs
-        << " ms by " << stats.technique << " on " << stats.renderer << '\n';
+        << frame.colour.size.x << "x" << frame.colour.size.y << ", drawn in " << drawMs << " ms by "
+        << stats.technique << " on " << stats.renderer << '\n';
     return;
   }
   nlohmann::ordered_json passes = nlohmann::ordered_json::object();
   for (const auto& [name, milliseconds] : stats.passesMs) passes[name] = milliseconds;
-  const nlohmann::ordered_json result{
-      {"out", options.out},
-      {"camera", camera.name},
-      {"time_s", options.time},
-      {"size", {frame.colour.size.x, frame.colour.size.y}},
-      {"technique", stats.technique},
-      {"backend", stats.backend},
-      {"renderer", stats.renderer},
-      {"draw_ms", drawMs},
-      {"passes_ms", passes},
-      {"vertices", stats.vertices},
-      {"vertex_efficiency", stats.vertexEfficiency},
-      {"bound_redraws", stats.boundRedraws}};
+  const nlohmann::ordered_json result{{"out", options.out},
+                                      {"camera", camera.name},
+                                      {"time_s", options.time},
+                                      {"size", {frame.colour.size.x, frame.colour.size.y}},
+                                      {"technique", stats.technique},
+                                      {"backend", stats.backend},
+                                      {"renderer", stats.renderer},
+                                      {"draw_ms", drawMs},
+                                      {"passes_ms", passes},
+                                      {"vertices", stats.vertices},
+                                      {"vertex_efficiency", stats.vertexEfficiency},
+                                      {"bound_redraws", stats.boundRedraws}};
   out << result.dump(2) << '\n';
 }
 

@@ -74,8 +74,7 @@ class Cameras {
 /// Frames of each camera: at 0, 1/fps, … before the end.
 long long frameCount(const Scene& scene) {
   if (scene.cameras.empty()) return 0;
-  return static_cast<long long>(
-      std::ceil(scene.run.duration * scene.run.framesPerSecond - 1e-9));
+  return static_cast<long long>(std::ceil(scene.run.duration * scene.run.framesPerSecond - 1e-9));
 }
 
 // Whole steps up to `t`, a row of telemetry each.
@@ -148,7 +147,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("run", "Sail a scene: telemetry, camera frames, summary");
   auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder to write to (default: out/ and the scene's name)");
+  command->add_option("--out", options->out,
+                      "folder to write to (default: out/ and the scene's name)");
   command->add_option("--duration", options->duration, "simulated seconds (default: the scene's)");
   command->add_option("--fps", options->framesPerSecond,
                       "frames per simulated second, 0 for none (default: the scene's)");

@@ -11,10 +11,10 @@ namespace seaway::bridge {
 
 struct RunOptions {
   std::string scene;
-  std::string out;  ///< folder; empty: out/SCENE
-  std::optional<double> duration;          ///< s
+  std::string out;                 ///< folder; empty: out/SCENE
+  std::optional<double> duration;  ///< s
   std::optional<double> framesPerSecond;
-  std::string size;                        ///< WxH
+  std::string size;  ///< WxH
   std::optional<std::int64_t> seed;
   bool json = false;
 };

@@ -17,10 +17,10 @@ struct Document {
 };
 
 std::vector<Document> documents() {
-  return {{"scene", "Scenes", "configs/scenes/*.yaml", sceneSchema().describe()},
-          {"vessel", "Vessels", "configs/vessels/*.yaml", vesselModelSchema().describe()},
-          {"sea_state", "Sea states", "configs/sea_states/*.yaml",
-           seaStateFileSchema().describe()}};
+  return {
+      {"scene", "Scenes", "configs/scenes/*.yaml", sceneSchema().describe()},
+      {"vessel", "Vessels", "configs/vessels/*.yaml", vesselModelSchema().describe()},
+      {"sea_state", "Sea states", "configs/sea_states/*.yaml", seaStateFileSchema().describe()}};
 }
 
 std::string pathOf(const std::string& parent, const KeyDescription& key) {
@@ -49,8 +49,10 @@ std::string defaultShown(const KeyDescription& key) {
 nlohmann::ordered_json asJson(const Document& document) {
   nlohmann::ordered_json keys = nlohmann::ordered_json::array();
   visitKeys(document.keys, "", [&](const std::string& path, const KeyDescription& key) {
-    nlohmann::ordered_json entry{{"key", path},         {"type", key.type},
-                                 {"unit", key.unit},    {"allowed", key.allowed},
+    nlohmann::ordered_json entry{{"key", path},
+                                 {"type", key.type},
+                                 {"unit", key.unit},
+                                 {"allowed", key.allowed},
                                  {"required", key.need == Need::required},
                                  {"summary", key.summary}};
     entry["default"] = key.defaultText.empty() ? nlohmann::ordered_json(nullptr)
@@ -69,8 +71,9 @@ std::string schemaPage() {
       "compass degrees (clockwise from north), `toward` or `from` as the key says. Paths are "
       "relative to the file that names them. Unknown keys are errors.\n";
   for (const Document& document : documents()) {
-    page += std::string("\n## ") + document.title + " (`" + document.files +
-            "`)\n\n| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
+    page +=
+        std::string("\n## ") + document.title + " (`" + document.files +
+        "`)\n\n| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
     visitKeys(document.keys, "", [&](const std::string& path, const KeyDescription& key) {
       page += "| `" + path + "` | " + key.type + " | " + key.unit + " | " + key.allowed + " | " +
               defaultShown(key) + " | " + key.summary + " |\n";
@@ -91,7 +94,8 @@ int runSchema(const SchemaOptions& options, std::ostream& out) {
 }
 
 void addSchemaCommand(CLI::App& app, ChosenCommand& chosen) {
-  auto* command = app.add_subcommand("schema", "Print every key of scene, vessel and sea state files");
+  auto* command =
+      app.add_subcommand("schema", "Print every key of scene, vessel and sea state files");
   auto options = std::make_shared<SchemaOptions>();
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway schema > configs/SCHEMA.md");

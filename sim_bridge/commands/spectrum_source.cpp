@@ -47,8 +47,9 @@ const SpectrumRecord& choose(const std::vector<SpectrumRecord>& records, const s
   if (!time.empty()) return recordAt(records, time);
   const int index = record.value_or(0);
   if (index < 0 || index >= static_cast<int>(records.size())) {
-    throw InputError(file, 0, "--record: " + std::to_string(index) + " is not allowed; the file has " +
-                                  std::to_string(records.size()) + " records, from 0");
+    throw InputError(file, 0,
+                     "--record: " + std::to_string(index) + " is not allowed; the file has " +
+                         std::to_string(records.size()) + " records, from 0");
   }
   return records[static_cast<std::size_t>(index)];
 }

@@ -8,8 +8,8 @@
 
 namespace seaway::bridge {
 
-/// The motion of a scene's vessels as CSV, one row a step: `telemetry.csv` for the first vessel (only
-/// a header where there is none), `telemetry_NAME.csv` for each further one.
+/// The motion of a scene's vessels as CSV, one row a step: `telemetry.csv` for the first vessel
+/// (only a header where there is none), `telemetry_NAME.csv` for each further one.
 ///
 /// Columns: time_s, latitude_deg, longitude_deg, height_m (of the body origin above the still-water
 /// level), roll_deg (starboard down), pitch_deg (bow up), heading_deg (true), speed_m_s (over

@@ -6,7 +6,7 @@ namespace seaway::bridge {
 /// D(θ) ∝ cos²ˢ(θ/2) lies (REFERENCE, "Wave theory").
 ///
 /// `exponent` s ≥ 0.5; infinite gives 0. `quantile` in (0, 1). Bisection on a trapezoidal integral;
-/// error below 1e-3 rad (tests/sim_bridge/directional_spread_test.cpp).
+/// error below 1e-3 rad (tests/sim_bridge/scene/directional_spread_test.cpp).
 double spreadQuantile(double exponent, double quantile);
 
 /// The n-th number, n ≥ 0, of the van der Corput sequence in base 2, within (0, 1): quantiles that

@@ -38,8 +38,8 @@ struct ParametricState {
 
 /// A sea state that `seaway fit` wrote.
 struct FileState {
-  std::string path;          ///< as in the scene
-  FittedSeaState seaState;   ///< read by the loader
+  std::string path;         ///< as in the scene
+  FittedSeaState seaState;  ///< read by the loader
 };
 
 using SeaState = std::variant<CalmState, ParametricState, FileState, FittedSeaState>;
@@ -82,13 +82,13 @@ struct CameraPlace {
 
 struct SceneCamera {
   std::string name;
-  std::string mount;                  ///< vessel; empty for a fixed camera
-  bool stabilised = false;            ///< mounted, but does not heave, roll or pitch
-  glm::dvec3 position{0.0};           ///< in the mount's body frame, m
-  std::optional<CameraPlace> place;   ///< of a fixed camera
-  double yaw_deg = 0.0;    ///< clockwise from the mount's bow, or from true north if fixed
-  double pitch_deg = 0.0;  ///< up
-  double roll_deg = 0.0;   ///< right side down
+  std::string mount;                 ///< vessel; empty for a fixed camera
+  bool stabilised = false;           ///< mounted, but does not heave, roll or pitch
+  glm::dvec3 position{0.0};          ///< in the mount's body frame, m
+  std::optional<CameraPlace> place;  ///< of a fixed camera
+  double yaw_deg = 0.0;           ///< clockwise from the mount's bow, or from true north if fixed
+  double pitch_deg = 0.0;         ///< up
+  double roll_deg = 0.0;          ///< right side down
   double fieldOfView_deg = 60.0;  ///< vertical
 };
 
@@ -112,10 +112,10 @@ struct Accuracy {
 };
 
 struct RunSettings {
-  double duration = 20.0;       ///< s
+  double duration = 20.0;  ///< s
   double framesPerSecond = 2.0;
-  glm::ivec2 size{1280, 720};   ///< pixels
-  double step = 0.02;           ///< s
+  glm::ivec2 size{1280, 720};  ///< pixels
+  double step = 0.02;          ///< s
 };
 
 struct Scene {

@@ -12,9 +12,9 @@ const Mapping<Scene>& sceneSchema();
 
 /// Reads a scene with the vessel and sea state files it names (paths relative to the scene's file).
 ///
-/// Throws InputError — file, line, key, value and what is allowed — for anything the schema does not
-/// allow, and for duplicate names, a mount that is no vessel of the scene, a camera both mounted and
-/// fixed, a start or camera outside the geodesy's range, or a file that is missing.
+/// Throws InputError — file, line, key, value and what is allowed — for anything the schema does
+/// not allow, and for duplicate names, a mount that is no vessel of the scene, a camera both
+/// mounted and fixed, a start or camera outside the geodesy's range, or a file that is missing.
 Scene loadScene(const std::filesystem::path& file);
 
 }  // namespace seaway::bridge

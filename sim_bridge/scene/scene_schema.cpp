@@ -32,8 +32,8 @@ Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
       integer("octaves", &P::octaves, fewestOctaves, mostOctaves, "octaves to fit"),
   };
   if (withPeakEnhancement) {
-    fields.push_back(number("gamma", &P::peakEnhancement, "1", Range::within(1.0, 20.0),
-                            "peak enhancement γ"));
+    fields.push_back(
+        number("gamma", &P::peakEnhancement, "1", Range::within(1.0, 20.0), "peak enhancement γ"));
   }
   return Mapping<P>(std::move(fields));
 }
@@ -51,8 +51,8 @@ Field<SeaState> piersonMoskowitzField() {
 }
 
 Field<SeaState> octavesField() {
-  Field<FittedSeaState> octaves = list("octaves", &FittedSeaState::octaves, octaveEntrySchema(),
-                                       "the octaves themselves");
+  Field<FittedSeaState> octaves =
+      list("octaves", &FittedSeaState::octaves, octaveEntrySchema(), "the octaves themselves");
   return {octaves.description, [=](SeaState& target, const YamlValue& value) {
             FittedSeaState state;
             octaves.read(state, value);
@@ -61,8 +61,14 @@ Field<SeaState> octavesField() {
 }
 
 Field<SeaState> fileField() {
-  KeyDescription description{"file", "path", "", "", "", Need::optional,
-                             "sea state file of `seaway fit`, relative to the scene", {}};
+  KeyDescription description{"file",
+                             "path",
+                             "",
+                             "",
+                             "",
+                             Need::optional,
+                             "sea state file of `seaway fit`, relative to the scene",
+                             {}};
   return {std::move(description), [](SeaState& target, const YamlValue& value) {
             target = FileState{readText(value), {}};
           }};
@@ -105,7 +111,7 @@ Mapping<SceneVessel> vesselSchema() {
       number("heading_deg", &S::heading_deg, "°", compass, "true heading"),
   });
   return Mapping<V>({
-      text("name", &V::name, "unique among vessels", Need::required),
+      name("name", &V::name, "unique among vessels"),
       text("model", &V::modelPath, "vessel file, relative to the scene", Need::required),
       mapping("start", &V::start, start, "where it is at time 0", Need::required),
       number("speed_m_s", &V::speed, "m/s", Range::within(-60.0, 60.0),
@@ -125,10 +131,12 @@ Mapping<SceneCamera> cameraSchema() {
              "above the still-water level"),
   });
   return Mapping<C>({
-      text("name", &C::name, "unique among cameras", Need::required),
-      text("mount", &C::mount, "vessel that carries the camera; a fixed camera has `place` instead"),
-      choice("stabilised", &C::stabilised, {{"true", true}, {"false", false}},
-             "carried along by the vessel's place and heading, but not heaving, rolling or pitching"),
+      name("name", &C::name, "unique among cameras"),
+      text("mount", &C::mount,
+           "vessel that carries the camera; a fixed camera has `place` instead"),
+      choice(
+          "stabilised", &C::stabilised, {{"true", true}, {"false", false}},
+          "carried along by the vessel's place and heading, but not heaving, rolling or pitching"),
       vector("position_m", &C::position, "m", Range::within(-1000.0, 1000.0),
              "on the mount: forward, to port, above its waterline at rest"),
       mapping("place", &C::place, place, "of a fixed camera"),
@@ -161,23 +169,28 @@ Mapping<EffectSettings> effectsSchema() {
   std::vector<Field<EffectSettings>> fields;
   for (const EffectDescription& effect : effectDescriptions()) {
     const auto index = static_cast<std::size_t>(effect.effect);
-    KeyDescription description{std::string(effect.name), "word", "", "auto, on, off", "auto",
-                               Need::optional,
-                               std::string(effect.summary) + "; auto: when " +
-                                   std::string(effect.calledForWhen),
-                               {}};
-    fields.push_back({std::move(description), [index](EffectSettings& target, const YamlValue& value) {
-                        const bool scalar = value.kind == YamlValue::Kind::scalar;
-                        if (scalar && value.scalar == "auto") {
-                          target[index] = EffectSetting::automatic;
-                        } else if (scalar && value.scalar == "on") {
-                          target[index] = EffectSetting::on;
-                        } else if (scalar && value.scalar == "off") {
-                          target[index] = EffectSetting::off;
-                        } else {
-                          failChoice(value, {"auto", "on", "off"});
-                        }
-                      }});
+    KeyDescription description{
+        std::string(effect.name),
+        "word",
+        "",
+        "auto, on, off",
+        "auto",
+        Need::optional,
+        std::string(effect.summary) + "; auto: when " + std::string(effect.calledForWhen),
+        {}};
+    fields.push_back(
+        {std::move(description), [index](EffectSettings& target, const YamlValue& value) {
+           const bool scalar = value.kind == YamlValue::Kind::scalar;
+           if (scalar && value.scalar == "auto") {
+             target[index] = EffectSetting::automatic;
+           } else if (scalar && value.scalar == "on") {
+             target[index] = EffectSetting::on;
+           } else if (scalar && value.scalar == "off") {
+             target[index] = EffectSetting::off;
+           } else {
+             failChoice(value, {"auto", "on", "off"});
+           }
+         }});
   }
   return Mapping<EffectSettings>(std::move(fields));
 }

@@ -1,6 +1,7 @@
 #include "sim_bridge/scene/schema.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -73,8 +74,13 @@ std::string Range::text() const {
   return infinityAllowed ? text + " or inf" : text;
 }
 
+std::string Range::sentence() const {
+  const std::string range = text();
+  return (range[0] == '[' || range[0] == '(' ? "must be in " : "must be ") + range;
+}
+
 double readNumber(const YamlValue& value, const Range& range, const std::string& unit) {
-  const std::string allowed = "must be " + withUnit(range.text(), unit);
+  const std::string allowed = withUnit(range.sentence(), unit);
   if (value.kind != YamlValue::Kind::scalar) {
     value.fail(value.shown() + " is not a number; " + allowed);
   }
@@ -104,6 +110,15 @@ std::string readText(const YamlValue& value) {
   return value.scalar;
 }
 
+std::string readName(const YamlValue& value) {
+  const std::string text = readText(value);
+  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
+  });
+  if (!plain) value.fail("'" + text + "' is not allowed; must be of letters, digits, _ and -");
+  return text;
+}
+
 const YamlValue& requireKind(const YamlValue& value, YamlValue::Kind kind, const char* wanted) {
   if (value.kind != kind) value.fail(value.shown() + " is not allowed; must be " + wanted);
   return value;
@@ -111,7 +126,8 @@ const YamlValue& requireKind(const YamlValue& value, YamlValue::Kind kind, const
 
 void failUnknownKey(const YamlValue& value, const std::vector<std::string>& known) {
   const std::string nearest = nearestName(value.name, known);
-  value.fail("unknown key" + (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?") +
+  value.fail("unknown key" +
+             (nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?") +
              (known.empty() ? " (no keys are allowed here)" : " (known: " + joined(known) + ")"));
 }
 
@@ -135,8 +151,8 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
 void requireInRange(const std::string& name, double value, const Range& range,
                     const std::string& unit) {
   if (range.holds(value)) return;
-  throw InputError(name + ": " + numberText(value) + " is not allowed; must be " +
-                   withUnit(range.text(), unit));
+  throw InputError(name + ": " + numberText(value) + " is not allowed; " +
+                   withUnit(range.sentence(), unit));
 }
 
 }  // namespace seaway::bridge

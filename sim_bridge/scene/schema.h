@@ -40,7 +40,8 @@ struct Range {
   }
 
   bool holds(double value) const;
-  std::string text() const;  ///< "> 0", "[-90, 90]", "finite"
+  std::string text() const;      ///< "> 0", "[-90, 90]", "finite"
+  std::string sentence() const;  ///< "must be > 0", "must be in [-90, 90]"
 };
 
 enum class Need { required, optional };
@@ -64,10 +65,12 @@ struct Field {
   std::function<void(T&, const YamlValue&)> read;
 };
 
-// Reading of single values; each throws InputError naming file, line, key, value and what is allowed.
+// Reading of single values; each throws InputError naming file, line, key, value and what is
+// allowed.
 double readNumber(const YamlValue& value, const Range& range, const std::string& unit);
 std::int64_t readInteger(const YamlValue& value, std::int64_t least, std::int64_t most);
 std::string readText(const YamlValue& value);
+std::string readName(const YamlValue& value);  ///< letters, digits, '_' and '-': also file names
 const YamlValue& requireKind(const YamlValue& value, YamlValue::Kind kind, const char* wanted);
 [[noreturn]] void failUnknownKey(const YamlValue& value, const std::vector<std::string>& known);
 [[noreturn]] void failChoice(const YamlValue& value, const std::vector<std::string>& choices);

@@ -21,8 +21,8 @@ inline std::string defaultOf(const std::optional<double>&) { return ""; }
 template <class T, class M>
 Field<T> number(std::string key, M T::*member, std::string unit, Range range, std::string summary,
                 Need need = Need::optional) {
-  KeyDescription description{std::move(key), "number", unit, range.text(), "", need,
-                             std::move(summary), {}};
+  KeyDescription description{std::move(key), "number",           unit, range.text(), "",
+                             need,           std::move(summary), {}};
   if (need == Need::optional) description.defaultText = detail::defaultOf(T{}.*member);
   return {std::move(description), [=](T& target, const YamlValue& value) {
             target.*member = readNumber(value, range, unit);
@@ -30,9 +30,9 @@ Field<T> number(std::string key, M T::*member, std::string unit, Range range, st
 }
 
 template <class T, class I>
-  requires std::is_integral_v<I>
-Field<T> integer(std::string key, I T::*member, std::int64_t least, std::int64_t most,
-                 std::string summary, Need need = Need::optional) {
+requires std::is_integral_v<I> Field<T> integer(std::string key, I T::*member, std::int64_t least,
+                                                std::int64_t most, std::string summary,
+                                                Need need = Need::optional) {
   KeyDescription description{std::move(key), "integer", "", "", "", need, std::move(summary), {}};
   description.allowed = "[" + std::to_string(least) + ", " + std::to_string(most) + "]";
   if (need == Need::optional) description.defaultText = std::to_string(T{}.*member);
@@ -48,6 +48,16 @@ Field<T> text(std::string key, std::string T::*member, std::string summary,
   if (need == Need::optional) description.defaultText = T{}.*member;
   return {std::move(description),
           [=](T& target, const YamlValue& value) { target.*member = readText(value); }};
+}
+
+/// A name: of something in the scene, and of files about it.
+template <class T>
+Field<T> name(std::string key, std::string T::*member, std::string summary) {
+  KeyDescription description{std::move(key),          "name", "",
+                             "letters, digits, _, -", "",     Need::required,
+                             std::move(summary),      {}};
+  return {std::move(description),
+          [=](T& target, const YamlValue& value) { target.*member = readName(value); }};
 }
 
 /// One of a few words.
@@ -81,7 +91,7 @@ Field<T> vector(std::string key, V T::*member, std::string unit, Range range, st
   constexpr int size = V::length();
   const std::string wanted = "a list of " + std::to_string(size) +
                              (std::is_integral_v<Component> ? " whole numbers" : " numbers");
-  KeyDescription description{std::move(key), wanted, unit, range.text(), "", need,
+  KeyDescription description{std::move(key),     wanted, unit, range.text(), "", need,
                              std::move(summary), {}};
   if (need == Need::optional) {
     const V initial = T{}.*member;
@@ -110,8 +120,14 @@ namespace detail {
 template <class M>
 KeyDescription describeMapping(std::string key, const char* type, const Mapping<M>& inner,
                                std::string summary, Need need) {
-  return {std::move(key), inner.exactlyOne() ? "mapping with one of these keys" : type, "", "", "",
-          need,           std::move(summary), inner.describe()};
+  return {std::move(key),
+          inner.exactlyOne() ? "mapping with one of these keys" : type,
+          "",
+          "",
+          "",
+          need,
+          std::move(summary),
+          inner.describe()};
 }
 }  // namespace detail
 
@@ -126,21 +142,22 @@ Field<T> mapping(std::string key, M T::*member, const Mapping<I>& inner, std::st
 template <class T, class M>
 Field<T> list(std::string key, std::vector<M> T::*member, const Mapping<M>& inner,
               std::string summary, Need need = Need::optional) {
-  return {detail::describeMapping(std::move(key), "list of mappings", inner, std::move(summary), need),
-          [=](T& target, const YamlValue& value) {
-            requireKind(value, YamlValue::Kind::list, "a list");
-            for (const YamlValue& item : value.values) {
-              (target.*member).push_back(inner.read(item));
-            }
-          }};
+  return {
+      detail::describeMapping(std::move(key), "list of mappings", inner, std::move(summary), need),
+      [=](T& target, const YamlValue& value) {
+        requireKind(value, YamlValue::Kind::list, "a list");
+        for (const YamlValue& item : value.values) {
+          (target.*member).push_back(inner.read(item));
+        }
+      }};
 }
 
 /// One alternative of a variant, chosen by its key; the inner mapping fills an `M`.
 template <class Variant, class M>
 Field<Variant> alternative(std::string key, const Mapping<M>& inner, std::string summary) {
-  return {detail::describeMapping(std::move(key), "mapping", inner, std::move(summary),
-                                  Need::optional),
-          [=](Variant& target, const YamlValue& value) { target = inner.read(value); }};
+  return {
+      detail::describeMapping(std::move(key), "mapping", inner, std::move(summary), Need::optional),
+      [=](Variant& target, const YamlValue& value) { target = inner.read(value); }};
 }
 
 }  // namespace seaway::bridge

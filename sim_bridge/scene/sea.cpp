@@ -26,7 +26,8 @@ Waves wavesOf(const ParametricState& state, const Scene& scene) {
   OctaveFit fit = fitPerlinOctaves(
       jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement}), options);
   if (!fit.summary.usable) {
-    throw InputError(scene.file.string(), 0, "key 'sea.state': cannot be fitted: " + fit.summary.message);
+    throw InputError(scene.file.string(), 0,
+                     "key 'sea.state': cannot be fitted: " + fit.summary.message);
   }
   unsigned index = 0;
   for (Octave& octave : fit.octaves) {

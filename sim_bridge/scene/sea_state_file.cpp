@@ -98,8 +98,7 @@ const Mapping<OctaveEntry>& octaveEntrySchema() {
 
 const Mapping<FittedSeaState>& seaStateFileSchema() {
   static const Mapping<FittedSeaState> schema(
-      {list("octaves", &FittedSeaState::octaves, octaveEntrySchema(), "the field",
-            Need::required),
+      {list("octaves", &FittedSeaState::octaves, octaveEntrySchema(), "the field", Need::required),
        mapping("provenance", &FittedSeaState::provenance, provenanceSchema(),
                "what it was fitted to, and how well")},
       requireEnergy);

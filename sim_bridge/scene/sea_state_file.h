@@ -22,15 +22,15 @@ struct FitProvenance {
   std::string source;      ///< file, or `jonswap:Hs,Tp,gamma`
   std::string recordTime;  ///< ISO 8601, of a measured record
   std::string model = "perlin";
-  std::string options;     ///< what the fit was told, such as `octaves 8, from_deg 196`
-  std::string judgedOn;    ///< spectrum that the residual is measured on
-  double hm0Target = 0.0;  ///< m
-  double hm0Fit = 0.0;     ///< m
-  double tm02Target = 0.0; ///< s
-  double tm02Fit = 0.0;    ///< s
-  double tpTarget = 0.0;   ///< s
-  double tpFit = 0.0;      ///< s
-  double residual = 0.0;   ///< relative L2
+  std::string options;      ///< what the fit was told, such as `octaves 8, from_deg 196`
+  std::string judgedOn;     ///< spectrum that the residual is measured on
+  double hm0Target = 0.0;   ///< m
+  double hm0Fit = 0.0;      ///< m
+  double tm02Target = 0.0;  ///< s
+  double tm02Fit = 0.0;     ///< s
+  double tpTarget = 0.0;    ///< s
+  double tpFit = 0.0;       ///< s
+  double residual = 0.0;    ///< relative L2
 };
 
 /// A sea state as octaves: what `seaway fit --out` writes and `state: {file: …}` reads; also

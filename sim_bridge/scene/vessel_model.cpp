@@ -7,34 +7,36 @@ namespace {
 
 // The three mappings that fill one BoxHull, each with the keys of its topic.
 Mapping<BoxHull> boxSchema() {
-  return Mapping<BoxHull>({
-      number("length_m", &BoxHull::length, "m", Range::above(0.0), "length of the waterplane",
-             Need::required),
-      number("beam_m", &BoxHull::beam, "m", Range::above(0.0), "beam of the waterplane",
-             Need::required),
-      number("depth_m", &BoxHull::depth, "m", Range::above(0.0), "keel to deck edge",
-             Need::required),
-      number("draft_m", &BoxHull::givenDraft, "m", Range::above(0.0),
-             "draft at rest in sea water of 1026 kg/m³; exactly one of this and mass_kg"),
-      number("mass_kg", &BoxHull::givenMass, "kg", Range::above(0.0),
-             "mass; exactly one of this and draft_m"),
-      number("centre_of_gravity_above_keel_m", &BoxHull::centreOfGravityAboveKeel, "m",
-             Range::atLeast(0.0), "height of the centre of gravity", Need::required),
-      number("roll_gyradius_m", &BoxHull::givenRollGyradius, "m", Range::above(0.0),
-             "radius of gyration about the fore-and-aft axis; else 0.35 beam_m"),
-      number("pitch_gyradius_m", &BoxHull::givenPitchGyradius, "m", Range::above(0.0),
-             "radius of gyration about the athwartships axis; else 0.25 length_m"),
-      number("heave_damping", &BoxHull::heaveDamping, "1", Range::atLeast(0.0),
-             "part of critical damping, relative to the water's vertical velocity"),
-      number("roll_damping", &BoxHull::rollDamping, "1", Range::atLeast(0.0),
-             "part of critical damping, relative to the turning of the water's slope"),
-      number("pitch_damping", &BoxHull::pitchDamping, "1", Range::atLeast(0.0),
-             "part of critical damping, relative to the turning of the water's slope"),
-      vector("columns", &BoxHull::columns, "", Range::within(2, 200),
-             "sampled columns, along and across"),
-  }, [](const BoxHull& hull, const YamlValue& value) {
-    if (const auto fault = hull.fault()) value.fail(*fault);
-  });
+  return Mapping<BoxHull>(
+      {
+          number("length_m", &BoxHull::length, "m", Range::above(0.0), "length of the waterplane",
+                 Need::required),
+          number("beam_m", &BoxHull::beam, "m", Range::above(0.0), "beam of the waterplane",
+                 Need::required),
+          number("depth_m", &BoxHull::depth, "m", Range::above(0.0), "keel to deck edge",
+                 Need::required),
+          number("draft_m", &BoxHull::givenDraft, "m", Range::above(0.0),
+                 "draft at rest in sea water of 1026 kg/m³; exactly one of this and mass_kg"),
+          number("mass_kg", &BoxHull::givenMass, "kg", Range::above(0.0),
+                 "mass; exactly one of this and draft_m"),
+          number("centre_of_gravity_above_keel_m", &BoxHull::centreOfGravityAboveKeel, "m",
+                 Range::atLeast(0.0), "height of the centre of gravity", Need::required),
+          number("roll_gyradius_m", &BoxHull::givenRollGyradius, "m", Range::above(0.0),
+                 "radius of gyration about the fore-and-aft axis; else 0.35 beam_m"),
+          number("pitch_gyradius_m", &BoxHull::givenPitchGyradius, "m", Range::above(0.0),
+                 "radius of gyration about the athwartships axis; else 0.25 length_m"),
+          number("heave_damping", &BoxHull::heaveDamping, "1", Range::atLeast(0.0),
+                 "part of critical damping, relative to the water's vertical velocity"),
+          number("roll_damping", &BoxHull::rollDamping, "1", Range::atLeast(0.0),
+                 "part of critical damping, relative to the turning of the water's slope"),
+          number("pitch_damping", &BoxHull::pitchDamping, "1", Range::atLeast(0.0),
+                 "part of critical damping, relative to the turning of the water's slope"),
+          vector("columns", &BoxHull::columns, "", Range::within(2, 200),
+                 "sampled columns, along and across"),
+      },
+      [](const BoxHull& hull, const YamlValue& value) {
+        if (const auto fault = hull.fault()) value.fail(*fault);
+      });
 }
 
 Mapping<VesselDrawing> drawingSchema() {

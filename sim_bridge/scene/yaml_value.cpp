@@ -69,18 +69,21 @@ class Converter {
 
 const YamlValue* YamlValue::find(std::string_view childName) const {
   if (kind != Kind::mapping) return nullptr;
-  const auto found = std::find_if(values.begin(), values.end(), [&](const YamlValue& value) {
-    return value.name == childName;
-  });
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const YamlValue& value) { return value.name == childName; });
   return found == values.end() ? nullptr : &*found;
 }
 
 std::string YamlValue::shown() const {
   switch (kind) {
-    case Kind::null: return "nothing";
-    case Kind::scalar: return scalar.empty() ? "''" : scalar;
-    case Kind::list: return "a list";
-    case Kind::mapping: return "a mapping";
+    case Kind::null:
+      return "nothing";
+    case Kind::scalar:
+      return scalar.empty() ? "''" : scalar;
+    case Kind::list:
+      return "a list";
+    case Kind::mapping:
+      return "a mapping";
   }
   return "";
 }
@@ -94,9 +97,9 @@ YamlValue parseYaml(const std::string& text, const std::filesystem::path& file) 
     return Converter(std::make_shared<const std::filesystem::path>(file))
         .convert(YAML::Load(text), "", "", 0);
   } catch (const YAML::Exception& fault) {
-    throw InputError(file.string(), fault.mark.line + 1,
-                     "not valid YAML: " + fault.msg + " (column " +
-                         std::to_string(fault.mark.column + 1) + ")");
+    throw InputError(
+        file.string(), fault.mark.line + 1,
+        "not valid YAML: " + fault.msg + " (column " + std::to_string(fault.mark.column + 1) + ")");
   }
 }
 

@@ -13,21 +13,21 @@ namespace seaway::bridge {
 /// Body frame: x forward, y to port, z up; the **body origin** is the centre of the waterplane at
 /// rest in still water. Added mass is not modelled.
 struct BoxHull {
-  double length = 10.0;                         ///< m
-  double beam = 3.0;                            ///< m
-  double depth = 2.0;                           ///< keel to deck edge, m
-  std::optional<double> givenDraft;             ///< m; exactly one of draft and mass is given
-  std::optional<double> givenMass;              ///< kg
-  double centreOfGravityAboveKeel = 1.0;        ///< m
-  std::optional<double> givenRollGyradius;      ///< m; else 0.35 of the beam
-  std::optional<double> givenPitchGyradius;     ///< m; else 0.25 of the length
-  double heaveDamping = 0.3;                    ///< part of critical damping
+  double length = 10.0;                      ///< m
+  double beam = 3.0;                         ///< m
+  double depth = 2.0;                        ///< keel to deck edge, m
+  std::optional<double> givenDraft;          ///< m; exactly one of draft and mass is given
+  std::optional<double> givenMass;           ///< kg
+  double centreOfGravityAboveKeel = 1.0;     ///< m
+  std::optional<double> givenRollGyradius;   ///< m; else 0.35 of the beam
+  std::optional<double> givenPitchGyradius;  ///< m; else 0.25 of the length
+  double heaveDamping = 0.3;                 ///< part of critical damping
   double rollDamping = 0.1;
   double pitchDamping = 0.3;
-  glm::ivec2 columns{9, 3};                     ///< sampled columns along × across, ≥ 2 each
+  glm::ivec2 columns{9, 3};  ///< sampled columns along × across, ≥ 2 each
 
-  double mass() const;                          ///< kg
-  double draft() const;                         ///< in still water, m: m/(ρLB)
+  double mass() const;   ///< kg
+  double draft() const;  ///< in still water, m: m/(ρLB)
   double waterplaneArea() const { return length * beam; }
   double rollGyradius() const { return givenRollGyradius.value_or(0.35 * beam); }
   double pitchGyradius() const { return givenPitchGyradius.value_or(0.25 * length); }

@@ -46,6 +46,7 @@ Station stationAt(float u, const BoxHull& hull) {
   const float thickness = 0.02f * length * (0.3f + 0.7f * std::min(1.0f, 4.0f * (1.0f - u)));
   station.capping = station.rail;
   station.capping.y = std::max(0.0f, station.rail.y - thickness);
+  station.capping.x -= 0.025f * length * std::pow(forward, 8.0f);  // stays inside the raked stem
   station.deck = station.capping - glm::vec3(0.0f, 0.0f, 0.022f * length);
   return station;
 }
@@ -65,8 +66,7 @@ void addStrake(MeshPart& part, const std::array<Station, stationCount>& all, Lin
     const Station& aft = all[i];
     const Station& fore = all[i + 1];
     addQuad(part, fore.*from, aft.*from, aft.*to, fore.*to);
-    addQuad(part, mirrored(aft.*from), mirrored(fore.*from), mirrored(fore.*to),
-            mirrored(aft.*to));
+    addQuad(part, mirrored(aft.*from), mirrored(fore.*from), mirrored(fore.*to), mirrored(aft.*to));
   }
 }
 
@@ -95,8 +95,10 @@ void addHatch(MeshPart& part, const BoxHull& hull, float fromU, float toU) {
   const float high = stationAt(toU, hull).deck.z + 0.018f * length;
   const float aft = (fromU - 0.5f) * length;
   const float fore = (toU - 0.5f) * length;
-  addBlock(part, {{aft, -halfWidth, low}, {fore, halfWidth, low},
-                  {aft, -halfWidth, high}, {fore, halfWidth, high}});
+  addBlock(part, {{aft, -halfWidth, low},
+                  {fore, halfWidth, low},
+                  {aft, -halfWidth, high},
+                  {fore, halfWidth, high}});
 }
 
 Block wheelhouse(const BoxHull& hull) {
@@ -174,8 +176,10 @@ render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
 
 render::Mesh vesselMesh(const VesselModel& model) {
   switch (model.drawing.shape) {
-    case VesselShape::launch: return launchMesh(model.hull, model.drawing);
-    case VesselShape::buoy: return buoyMesh(model.hull, model.drawing);
+    case VesselShape::launch:
+      return launchMesh(model.hull, model.drawing);
+    case VesselShape::buoy:
+      return buoyMesh(model.hull, model.drawing);
   }
   return {};
 }

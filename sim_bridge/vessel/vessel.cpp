@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/camera.h"
@@ -22,9 +23,8 @@ Vessel::Vessel(const BoxHull& hull, const Course& course)
     secondMomentAlong_ += column.area * column.place.x * column.place.x;
     secondMomentAcross_ += column.area * column.place.y * column.place.y;
   }
-  for (auto* water : {&heightBefore_, &heightAfter_, &riseBefore_, &riseAfter_}) {
-    water->assign(columns_.size(), 0.0);
-  }
+  waterBefore_.resize(columns_.size());
+  waterAfter_.resize(columns_.size());
   submergedVolume_ = hull_.mass() / seaWaterDensity;
 }
 
@@ -41,8 +41,7 @@ void Vessel::displace(double heave, double roll, double pitch) {
 
 void Vessel::samplePoints(double t, std::span<glm::dvec2> out) const {
   const CoursePoint course = course_.at(t);
-  const glm::dquat worldFromBody =
-      render::attitude(course.direction, pitch_.value, roll_.value);
+  const glm::dquat worldFromBody = render::attitude(course.direction, pitch_.value, roll_.value);
   out[0] = course.position;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const glm::dvec3 arm = worldFromBody * glm::dvec3(columns_[i].place, 0.0);
@@ -51,33 +50,23 @@ void Vessel::samplePoints(double t, std::span<glm::dvec2> out) const {
 }
 
 void Vessel::takeWater(std::span<const SurfaceSample> water) {
-  heightBefore_.swap(heightAfter_);
-  riseBefore_.swap(riseAfter_);
+  waterBefore_.swap(waterAfter_);
   waterHeight_ = water[0].height;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    heightAfter_[i] = water[i + 1].height;
-    riseAfter_[i] = water[i + 1].verticalVelocity;
-  }
-}
-
-double Vessel::interpolated(const std::vector<double>& before, const std::vector<double>& after,
-                            std::size_t i, double part) const {
-  return before[i] + part * (after[i] - before[i]);
+  std::copy(water.begin() + 1, water.end(), waterAfter_.begin());
 }
 
 void Vessel::settle(double t, std::span<const SurfaceSample> water) {
   time_ = t;
   takeWater(water);
-  heightBefore_ = heightAfter_;
-  riseBefore_ = riseAfter_;
+  waterBefore_ = waterAfter_;
   double mean = 0.0;
   double tiltAlong = 0.0;
   double tiltAcross = 0.0;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const HullColumn& column = columns_[i];
-    mean += column.area * heightAfter_[i] / hull_.waterplaneArea();
-    tiltAlong += column.area * column.place.x * heightAfter_[i] / secondMomentAlong_;
-    tiltAcross += column.area * column.place.y * heightAfter_[i] / secondMomentAcross_;
+    mean += column.area * waterAfter_[i].height / hull_.waterplaneArea();
+    tiltAlong += column.area * column.place.x * waterAfter_[i].height / secondMomentAlong_;
+    tiltAcross += column.area * column.place.y * waterAfter_[i].height / secondMomentAcross_;
   }
   heave_.value = mean;
   pitch_.value = std::atan(tiltAlong);
@@ -90,7 +79,7 @@ void Vessel::settle(double t, std::span<const SurfaceSample> water) {
   submergedVolume_ = buoyancy(course.direction, 1.0).volume;
 }
 
-// Buoyancy of every column: ρg A ℓ upwards at the middle of its wet length ℓ, moments about the
+// Buoyancy of every column: ρg A ℓ (−∇η, 1) at the middle of its wet length ℓ, moments about the
 // centre of gravity. Either end of a column may be the lower one, so a capsized box floats too.
 Vessel::Loads Vessel::buoyancy(double direction, double part) const {
   const glm::dquat worldFromBody = render::attitude(direction, pitch_.value, roll_.value);
@@ -106,14 +95,14 @@ Vessel::Loads Vessel::buoyancy(double direction, double part) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const HullColumn& column = columns_[i];
     const glm::dvec3 low = worldFromBody * glm::dvec3(column.place, lowEnd);
-    const double under =
-        interpolated(heightBefore_, heightAfter_, i, part) - (heave_.value + low.z);
+    const double height = glm::mix(waterBefore_[i].height, waterAfter_[i].height, part);
+    const glm::dvec2 slope = glm::mix(waterBefore_[i].slope, waterAfter_[i].slope, part);
+    const double under = height - (heave_.value + low.z);
     const double wet = std::clamp(under / rise, 0.0, hull_.depth);
     const double volume = column.area * wet;
     const glm::dvec3 arm =
-        worldFromBody *
-        glm::dvec3(column.place, lowEnd + 0.5 * inward * wet - centreOfGravity);
-    const glm::dvec3 force(0.0, 0.0, seaWaterDensity * standardGravity * volume);
+        worldFromBody * glm::dvec3(column.place, lowEnd + 0.5 * inward * wet - centreOfGravity);
+    const glm::dvec3 force = seaWaterDensity * standardGravity * volume * glm::dvec3(-slope, 1.0);
     const glm::dvec3 moment = glm::cross(arm, force);
     loads.volume += volume;
     loads.force += force.z;
@@ -123,19 +112,20 @@ Vessel::Loads Vessel::buoyancy(double direction, double part) const {
   return loads;
 }
 
-// The rates at which the hull would move with the water. A hull that goes ahead while its bow points
-// up rises without any flow along its own vertical axis: hence the term with the velocity.
+// The rates at which the hull would move with the water. A hull that goes ahead while its bow
+// points up rises without any flow along its own vertical axis: hence the term with the velocity.
 Vessel::Flow Vessel::flow(const CoursePoint& course, double part) const {
   Flow result;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const HullColumn& column = columns_[i];
-    const double rise = interpolated(riseBefore_, riseAfter_, i, part);
+    const double rise =
+        glm::mix(waterBefore_[i].verticalVelocity, waterAfter_[i].verticalVelocity, part);
     result.heave += column.area * rise / hull_.waterplaneArea();
     result.pitch += column.area * column.place.x * rise / secondMomentAlong_;
     result.roll += column.area * column.place.y * rise / secondMomentAcross_;
   }
-  const glm::dvec3 up = render::attitude(course.direction, pitch_.value, roll_.value) *
-                        glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 up =
+      render::attitude(course.direction, pitch_.value, roll_.value) * glm::dvec3(0.0, 0.0, 1.0);
   result.heave -= glm::dot(course.velocity - current_, glm::dvec2(up));
   return result;
 }

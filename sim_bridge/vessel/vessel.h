@@ -26,15 +26,18 @@ struct VesselPose {
 
 /// A box that follows a prescribed course and heaves, rolls and pitches on the sea.
 ///
-/// Each column of the hull is pushed up by ρg times its wet volume at its wet part's centre; linear
-/// damping acts on motion relative to the water, so that long waves carry the hull along without
-/// lag. Surge, sway and yaw are prescribed; added mass is not modelled; moments are taken with small
-/// roll and pitch rates in mind (no gyroscopic terms). Water reaches the hull through samples that
-/// the caller takes: once a step, at `samplePoints`.
+/// Each column of the hull is pushed up by ρg times its wet volume at its wet part's centre, and
+/// down the water's slope by as much as the slope: pressure grows along the surface's normal (to
+/// first order, for waves longer than the hull is deep), which makes hulls lie along long waves
+/// wherever their centre of gravity is. Linear damping acts on motion relative to the water, so
+/// that long waves carry the hull along without lag. Surge, sway and yaw are prescribed; added mass
+/// is not modelled; moments are taken with small roll and pitch rates in mind (no gyroscopic
+/// terms). Water reaches the hull through samples that the caller takes: once a step, at
+/// `samplePoints`.
 ///
 /// Integrated by semi-implicit Euler with implicit damping on sub-steps of at most 0.1/ω of the
 /// fastest natural frequency, over water interpolated linearly between the steps' samples:
-/// frequencies are right within 0.1 % (tests/sim_bridge/vessel_test.cpp). Deterministic.
+/// frequencies are right within 0.2 % (tests/sim_bridge/vessel/vessel_test.cpp). Deterministic.
 class Vessel {
  public:
   Vessel(const BoxHull& hull, const Course& course);
@@ -65,8 +68,8 @@ class Vessel {
 
   double time() const { return time_; }
   VesselPose pose() const;
-  double speed() const { return std::abs(course_.speed()); }  ///< over ground, m/s
-  double waterHeight() const { return waterHeight_; }       ///< at the body origin, m
+  double speed() const { return std::abs(course_.speed()); }   ///< over ground, m/s
+  double waterHeight() const { return waterHeight_; }          ///< at the body origin, m
   double submergedVolume() const { return submergedVolume_; }  ///< m³
 
  private:
@@ -88,8 +91,6 @@ class Vessel {
   };
 
   void takeWater(std::span<const SurfaceSample> water);
-  double interpolated(const std::vector<double>& before, const std::vector<double>& after,
-                      std::size_t i, double part) const;
   Loads buoyancy(double direction, double part) const;
   Flow flow(const CoursePoint& course, double part) const;
   void subStep(double t, double dt, double part);
@@ -103,8 +104,7 @@ class Vessel {
 
   double time_ = 0.0;
   Motion heave_, roll_, pitch_;
-  std::vector<double> heightBefore_, heightAfter_;  // water at the columns, m
-  std::vector<double> riseBefore_, riseAfter_;      // ∂η/∂t there, m/s
+  std::vector<SurfaceSample> waterBefore_, waterAfter_;  // at the columns
   double waterHeight_ = 0.0;
   double submergedVolume_ = 0.0;
 };

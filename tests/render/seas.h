@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+
+#include "render/headless_context.h"
+#include "render/render_technique.h"
+#include "surface/angles.h"
+#include "surface/water_surface.h"
+
+/// Seas and cameras that the tests of render/ share.
+namespace seaway::render::test {
+
+inline WaterSurface stillSea() { return WaterSurface(WaveField({})); }
+
+/// Eight Perlin octaves with the fall-off of a wind sea. `longest` is the largest lattice size, m.
+inline WaterSurface windSea(double significantWaveHeight, double longest) {
+  std::vector<Octave> octaves;
+  double variance = 0.0, lattice = longest;
+  for (int i = 0; i < 8; ++i, lattice *= 0.5) {
+    octaves.push_back(makePerlinOctave(std::pow(0.45, i), lattice, 0.3));
+    variance += std::pow(0.45, 2 * i);
+  }
+  for (Octave& octave : octaves) {
+    octave.standardDeviation *= 0.25 * significantWaveHeight / std::sqrt(variance);
+  }
+  return WaterSurface(WaveField(octaves));
+}
+
+inline WaterSurface moderateSea() { return windSea(1.12, 25.0); }
+inline WaterSurface stormSea() { return windSea(9.0, 130.0); }
+
+inline Camera cameraAt(glm::dvec3 position, double pitch_deg, double roll_deg = 0.0,
+                       double fov_deg = 60.0, glm::ivec2 size = {160, 90}) {
+  Camera camera;
+  camera.position = position;
+  camera.worldFromCamera =
+      attitude(0.4, radiansFromDegrees(pitch_deg), radiansFromDegrees(roll_deg));
+  camera.verticalFieldOfView = radiansFromDegrees(fov_deg);
+  camera.size = size;
+  return camera;
+}
+
+/// One context for all tests of a process: starting one takes longer than most tests.
+inline HeadlessContext& sharedContext() {
+  static const std::unique_ptr<HeadlessContext> context = makeHeadlessContext("osmesa");
+  context->makeCurrent();
+  return *context;
+}
+
+/// A frame of `water` by a projected grid of its own.
+inline Frame drawn(const WaterSurface& water, const Camera& camera, double time = 0.0,
+                   const ProjectedGridOptions& options = {}) {
+  EffectLedger effects;
+  View view;
+  view.water = &water;
+  view.time = time;
+  view.camera = camera;
+  view.effects = &effects;
+  return makeProjectedGrid(sharedContext(), options)->draw(view);
+}
+
+}  // namespace seaway::render::test

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/sim_bridge/test_support.h"
+
+namespace seaway::bridge {
+namespace {
+
+using test::seaway;
+
+TEST(CommandLine, EverySubcommandHasHelpWithAnExample) {
+  for (const char* command : {"run", "query", "render", "fit", "explain", "schema"}) {
+    const auto outcome = seaway({command, "--help"});
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
+    EXPECT_NE(outcome.out.find("--json"), std::string::npos) << command;
+  }
+}
+
+TEST(CommandLine, MistakesAreStatusTwo) {
+  EXPECT_EQ(seaway({}).status, 2);
+  EXPECT_EQ(seaway({"sail"}).status, 2);
+  EXPECT_EQ(seaway({"run"}).status, 2);
+  EXPECT_EQ(seaway({"schema", "--nonsense"}).status, 2);
+  EXPECT_EQ(seaway({"query", "s.yaml", "--time", "soon"}).status, 2);
+}
+
+TEST(CommandLine, ExplainTellsEveryEffectAsJson) {
+  const test::TempFolder folder;
+  const auto outcome =
+      seaway({"explain", test::writeScene(folder).string(), "--time", "1", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto effects = nlohmann::json::parse(outcome.out)["effects"];
+  EXPECT_EQ(effects.size(), effectDescriptions().size());
+  for (const auto& effect : effects) {
+    EXPECT_TRUE(effect["name"].is_string());
+    EXPECT_TRUE(effect["reason"].is_string());
+    EXPECT_TRUE(effect["memory_bytes"].is_number());
+    EXPECT_TRUE(effect["cost_us"].is_number());
+    EXPECT_TRUE(effect["state"] == "on" || effect["state"] == "idle" || effect["state"] == "off");
+  }
+}
+
+TEST(CommandLine, ExplainSaysWhatIsSwitchedOff) {
+  const test::TempFolder folder;
+  const auto scene =
+      test::writeScene(folder, {{"run:", "effects: {vessel_motion: off, sun: off}\nrun:"}});
+  const auto outcome = seaway({"explain", scene.string(), "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  for (const auto& effect : json["effects"]) {
+    if (effect["name"] == "vessel_motion" || effect["name"] == "sun") {
+      EXPECT_EQ(effect["state"], "off");
+      EXPECT_EQ(effect["cost_us"], 0.0);
+    }
+  }
+}
+
+TEST(CommandLine, SchemaAsJsonListsKeysWithUnitAndRange) {
+  const auto outcome = seaway({"schema", "--json"});
+  ASSERT_EQ(outcome.status, 0);
+  bool found = false;
+  const auto json = nlohmann::json::parse(outcome.out);
+  for (const auto& document : json["documents"]) {
+    for (const auto& key : document["keys"]) {
+      if (key["key"] != "sea.state.jonswap.hm0_m") continue;
+      found = true;
+      EXPECT_EQ(key["unit"], "m");
+      EXPECT_EQ(key["allowed"], "> 0");
+      EXPECT_TRUE(key["required"]);
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+}  // namespace seaway::bridge

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/scene/sea.h"
+#include "surface/spectra/families.h"
+#include "tests/sim_bridge/test_support.h"
+
+namespace seaway::bridge {
+namespace {
+
+using test::seaway;
+using test::TempFolder;
+
+// Two records in NDBC's format, from Pierson–Moskowitz spectra known here.
+std::string ndbcFile() {
+  std::string text = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
+  const std::pair<const char*, FrequencySpectrum> records[] = {
+      {"2020 06 08 03 50 9.999", piersonMoskowitz(2.0, 8.0)},
+      {"2020 06 08 02 50 0.100", piersonMoskowitz(3.0, 10.0)}};
+  for (const auto& [time, spectrum] : records) {
+    text += time;
+    for (int i = 0; i < 46; ++i) {
+      char cell[32];
+      const double frequency = 0.03 + 0.01 * i;
+      std::snprintf(cell, sizeof cell, " %.3f (%.3f)", spectrum.at(frequency), frequency);
+      text += cell;
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+nlohmann::json fitted(const TempFolder& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "fit");
+  arguments.insert(arguments.end(), {"--out", (folder / "sea.yaml").string(), "--json"});
+  const auto outcome = seaway(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+TEST(FitCommand, TellsTargetAndFitOfAFamily) {
+  const TempFolder folder;
+  const auto fit = fitted(folder, {"pm:2.5,8", "--from-deg", "270"});
+  EXPECT_TRUE(fit["usable"]);
+  EXPECT_NEAR(fit["hm0_target_m"].get<double>(), 2.5, 1e-9);
+  EXPECT_NEAR(fit["hm0_fit_m"].get<double>(), 2.5, 1e-9);
+  EXPECT_NEAR(fit["tp_target_s"].get<double>(), 8.0, 0.05);
+  EXPECT_LE(fit["residual_l2"].get<double>(), 0.15);  // promised in the issue
+  for (const char* key : {"tm02_target_s", "tm02_fit_s", "tp_fit_s"}) {
+    EXPECT_GT(fit[key].get<double>(), 0.0) << key;
+  }
+  ASSERT_EQ(fit["octaves"].size(), 8u);
+  EXPECT_NEAR(fit["octaves"][0]["toward_deg"].get<double>(), 90.0, 1e-9);
+}
+
+TEST(FitCommand, ChoosesARecordByNumberOrTime) {
+  const TempFolder folder;
+  const std::string file = folder.write("buoy.data_spec", ndbcFile()).string();
+  // The file rounds densities to 1e-3 m²/Hz.
+  EXPECT_NEAR(fitted(folder, {file})["hm0_target_m"].get<double>(), 2.0, 0.02);
+  EXPECT_NEAR(fitted(folder, {file, "--record", "1"})["hm0_target_m"].get<double>(), 3.0, 0.03);
+  const auto byTime = fitted(folder, {file, "--time", "2020-06-08T02:50"});
+  EXPECT_NEAR(byTime["hm0_target_m"].get<double>(), 3.0, 0.03);
+  EXPECT_EQ(byTime["record_time"], "2020-06-08T02:50Z");
+  EXPECT_EQ(seaway({"fit", file, "--record", "2", "--out", (folder / "s.yaml").string()}).status,
+            2);
+}
+
+TEST(FitCommand, WhatItWritesIsASeaStateForAScene) {
+  const TempFolder folder;
+  fitted(folder, {"pm:2.5,8", "--from-deg", "270"});
+  folder.write("launch.yaml", test::vesselText());
+  const auto scene = folder.write(
+      "scene.yaml", test::sceneText({{"    jonswap:\n      hm0_m: 1.12\n      tp_s: 5.6\n      "
+                                      "from_deg: 196\n",
+                                      "    file: sea.yaml\n"}}));
+  const Sea sea = buildSea(loadScene(scene));
+  EXPECT_NEAR(sea.hm0Asked, 2.5, 1e-9);
+  EXPECT_NEAR(realisedSignificantWaveHeight(sea.surface), 2.5, 0.02 * 2.5);
+}
+
+TEST(FitCommand, SaysThatAFrequencySpectrumHasNoDirection) {
+  const TempFolder folder;
+  const auto outcome = seaway({"fit", "pm:1,6", "--out", (folder / "sea.yaml").string()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("--from-deg"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("S(k)"), std::string::npos);
+}
+
+TEST(FitCommand, FitsTheMeasuredRecordOfTheDemonstration) {
+  const std::string file = std::string(SEAWAY_SHARED_DIR) + "/data/ndbc/41010.data_spec";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+  const TempFolder folder;
+  const auto fit = fitted(folder, {file, "--record", "0", "--from-deg", "196"});
+  EXPECT_EQ(fit["record_time"], "2020-06-08T03:50Z");
+  EXPECT_NEAR(fit["hm0_target_m"].get<double>(), 1.12, 0.01);
+  EXPECT_NEAR(fit["tp_target_s"].get<double>(), 5.6, 0.15);
+}
+
+}  // namespace
+}  // namespace seaway::bridge

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "render/png.h"
+#include "tests/sim_bridge/test_support.h"
+
+namespace seaway::bridge {
+namespace {
+
+using test::Outcome;
+using test::readFile;
+using test::seaway;
+using test::TempFolder;
+using test::writeScene;
+
+Outcome sail(const TempFolder& folder, const std::string& out,
+             const std::vector<std::string>& more = {},
+             const std::vector<std::pair<std::string, std::string>>& replacements = {}) {
+  std::vector<std::string> arguments{"run", writeScene(folder, replacements).string(), "--out",
+                                     (folder / out).string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Outcome outcome = seaway(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome;
+}
+
+TEST(RunCommand, WritesTelemetryFramesAndSummary) {
+  const TempFolder folder;
+  const Outcome outcome = sail(folder, "out", {"--json"});
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"launch.yaml", "out/frames/000000.png",
+                                                      "out/frames/000001.png", "out/summary.json",
+                                                      "out/telemetry.csv", "scene.yaml"}));
+  EXPECT_EQ(render::readPng(folder / "out/frames/000001.png").size, glm::ivec2(64, 48));
+  const auto summary = nlohmann::json::parse(readFile(folder / "out/summary.json"));
+  EXPECT_EQ(summary, nlohmann::json::parse(outcome.out));
+  EXPECT_EQ(summary["sea"]["hm0_asked_m"], 1.12);
+  // Promised in the issue: within 2 % of the asked one.
+  EXPECT_NEAR(summary["sea"]["hm0_realised_m"].get<double>(), 1.12, 0.02 * 1.12);
+  EXPECT_EQ(summary["frames"], 2);
+  EXPECT_GT(summary["real_time_factor"].get<double>(), 0.0);
+  EXPECT_TRUE(summary["timings_ms"]["draw"].is_number());
+}
+
+TEST(RunCommand, TelemetryHasARowAStepWithTheAgreedColumns) {
+  const TempFolder folder;
+  sail(folder, "out", {"--fps", "0"});
+  std::istringstream lines(readFile(folder / "out/telemetry.csv"));
+  std::string header;
+  std::getline(lines, header);
+  EXPECT_EQ(header,
+            "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,speed_m_s,"
+            "water_height_m,submerged_volume_m3");
+  int rows = 0;
+  std::string last;
+  for (std::string line; std::getline(lines, line); ++rows) last = line;
+  EXPECT_EQ(rows, 51);  // 0, 0.02 … 1 s
+  EXPECT_EQ(last.substr(0, 2), "1,");
+}
+
+TEST(RunCommand, SameSeedGivesTheSameBytesAndAnotherSeedDoesNot) {
+  const TempFolder folder;
+  sail(folder, "a", {"--fps", "0", "--seed", "5"});
+  sail(folder, "b", {"--fps", "3", "--seed", "5"});  // frames between steps change nothing
+  sail(folder, "c", {"--fps", "0", "--seed", "6"});
+  EXPECT_EQ(readFile(folder / "a/telemetry.csv"), readFile(folder / "b/telemetry.csv"));
+  EXPECT_NE(readFile(folder / "a/telemetry.csv"), readFile(folder / "c/telemetry.csv"));
+}
+
+TEST(RunCommand, FramesOfARunAreThoseOfRender) {
+  const TempFolder folder;
+  sail(folder, "out");
+  ASSERT_EQ(seaway({"render", (folder / "scene.yaml").string(), "--time", "0.5", "--out",
+                    (folder / "frame.png").string()})
+                .status,
+            0);
+  EXPECT_EQ(readFile(folder / "out/frames/000001.png"), readFile(folder / "frame.png"));
+}
+
+TEST(RunCommand, EarlierFramesInTheSameFolderAreRemovedAndOtherFilesKept) {
+  const TempFolder folder;
+  sail(folder, "out", {"--fps", "4"});
+  folder.write("out/frames/notes.png", "mine");
+  sail(folder, "out", {"--fps", "1"});
+  const auto files = folder.files();
+  EXPECT_EQ(std::count(files.begin(), files.end(), "out/frames/000000.png"), 1);
+  EXPECT_EQ(std::count(files.begin(), files.end(), "out/frames/000001.png"), 0);
+  EXPECT_EQ(std::count(files.begin(), files.end(), "out/frames/notes.png"), 1);
+}
+
+TEST(RunCommand, FurtherVesselsAndCamerasHaveFilesOfTheirOwn) {
+  const TempFolder folder;
+  sail(folder, "out", {"--fps", "1"},
+       {{"cameras:",
+         "  - {name: tender, model: launch.yaml, start: {latitude_deg: 28.8785, longitude_deg: "
+         "-78.467}}\ncameras:\n  - {name: quay, place: {latitude_deg: 28.878, longitude_deg: "
+         "-78.468}, yaw_deg: 90}"}});
+  const auto files = folder.files();
+  for (const char* name : {"out/telemetry.csv", "out/telemetry_tender.csv", "out/frames/000000.png",
+                           "out/frames/bow/000000.png"}) {
+    EXPECT_EQ(std::count(files.begin(), files.end(), name), 1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace seaway::bridge
