@@ -6,10 +6,11 @@
 namespace seaway {
 
 std::string statusText(SampleStatus status) {
-  static constexpr std::array<std::pair<SampleStatus, const char*>, 3> names{{
+  static constexpr std::array<std::pair<SampleStatus, const char*>, 4> names{{
       {SampleStatus::truncated, "truncated"},
       {SampleStatus::notFinite, "not_finite"},
       {SampleStatus::outOfRange, "out_of_range"},
+      {SampleStatus::noKinematics, "no_kinematics"},
   }};
   std::string text;
   for (const auto& [bit, name] : names) {

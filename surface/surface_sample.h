@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <string>
 
 namespace seaway {
@@ -11,9 +12,10 @@ namespace seaway {
 /// What an answer wants the asker to know; a set of bits, 0 is "ok".
 enum class SampleStatus : std::uint32_t {
   ok = 0,
-  truncated = 1u << 0,   ///< octaves were left out to meet the tolerance; `error` says how much
+  truncated = 1u << 0,   ///< octaves were left out, as the options allow; `error` says how much
   notFinite = 1u << 1,   ///< the point or the time was NaN or infinite; values are NaN
   outOfRange = 1u << 2,  ///< farther from the anchor than the geodesy serves; values are NaN
+  noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {
@@ -32,6 +34,9 @@ struct SurfaceSample {
   double height = 0.0;            ///< m above the still-water level
   glm::dvec2 slope{0.0};          ///< (∂η/∂x, ∂η/∂y), dimensionless
   double verticalVelocity = 0.0;  ///< ∂η/∂t at the fixed point, m/s
+  /// Velocity of the water at the surface (east, north, up), m/s, the current not included; NaN
+  /// unless SampleOptions asks for it.
+  glm::dvec3 orbitalVelocity{std::numeric_limits<double>::quiet_NaN()};
   double error = 0.0;             ///< one standard deviation of the height left out, m
   double bound = 0.0;             ///< largest numerical error of the height, m
   SampleStatus status = SampleStatus::ok;
@@ -45,6 +50,13 @@ struct SampleOptions {
   /// Height that may be left out, m, one standard deviation; ≥ 0. Octaves are kept by falling
   /// variance until what remains is no more than this.
   double tolerance = 0.0;
+  /// Shortest waves wanted, m; ≥ 0. Octaves whose dominant wavelength is shorter are left out.
+  double shortestWavelength = 0.0;
+  bool orbitalVelocity = false;  ///< fill SurfaceSample::orbitalVelocity
 };
+
+/// The shortest wavelength that matters to a hull of a length in m: a quarter of it. Pressures of
+/// shorter waves cancel over the hull (their force falls below 2 % of what the height suggests).
+constexpr double cutoffFor(double hullLength) { return 0.25 * hullLength; }
 
 }  // namespace seaway

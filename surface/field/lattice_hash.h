@@ -12,15 +12,27 @@ struct LatticeSeeds {
   std::uint32_t y;
 };
 
+/// Constants of the hash. Kernels use them on premultiplied coordinates: a step of one cell along an
+/// axis adds the axis' stride.
+inline constexpr std::uint32_t latticeStrideX = 0x9E3779B1u;
+inline constexpr std::uint32_t latticeStrideY = 0x85EBCA77u;
+inline constexpr std::uint32_t latticeFirstFactor = 0x2C1B3C6Du;
+inline constexpr std::uint32_t latticeSecondFactor = 0x297A2D39u;
+
 /// Hash of lattice corner (i, j): two multiplications to mix the seeded coordinates, two to
 /// spread them (one alone leaves neighbours correlated). Independent up to lags of 2²⁶ cells
 /// (tests/surface/lattice_hash_test.cpp).
 constexpr std::uint32_t cornerHash(std::uint32_t i, std::uint32_t j, LatticeSeeds seeds) {
-  std::uint32_t h = ((i * 0x9E3779B1u + seeds.x) ^ (j * 0x85EBCA77u + seeds.y)) * 0x2C1B3C6Du;
+  std::uint32_t h = ((i * latticeStrideX + seeds.x) ^ (j * latticeStrideY + seeds.y)) * latticeFirstFactor;
   h ^= h >> 15;
-  h *= 0x297A2D39u;
+  h *= latticeSecondFactor;
   h ^= h >> 16;
   return h;
+}
+
+/// Low 32 bits of a cell's number, exact up to 2⁵³ cells.
+constexpr std::uint32_t cellBits(double cell) {
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(cell));
 }
 
 /// splitmix64 (Steele, Lea & Flood 2014, doi:10.1145/2714064.2660195): derives seeds from seeds.

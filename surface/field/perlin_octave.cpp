@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "surface/angles.h"
-#include "surface/dispersion.h"
-#include "surface/field/perlin_spectrum.h"
 
 namespace seaway {
 namespace {
@@ -52,52 +50,45 @@ double noiseRms() {
   return value;
 }
 
-std::uint32_t cellBits(double cell) {
-  return static_cast<std::uint32_t>(static_cast<std::int64_t>(cell));
-}
-
-/// Beyond this many cells doubles no longer hold a fraction; the conversion to integers is exact
-/// below it.
-constexpr double largestCell = 9.0e15;
-
 }  // namespace
 
 PerlinOctave::PerlinOctave(const Octave& octave, std::uint64_t sceneSeed, std::uint64_t index,
                            glm::dvec2 current)
     : amplitude_(octave.standardDeviation / noiseRms()),
-      cellsPerMetre_(1.0 / octave.latticeSize),
-      slicesPerSecond_(1.0 / octave.boilTime),
-      velocity_(octave.driftSpeed * unitVector(octave.toward) + current) {
+      wavelength_(dominantWavelength(octave)) {
   const std::uint64_t seed = mixSeed(sceneSeed ^ mixSeed(index));
-  axis_ = unitVector(2.0 * pi * unitFromSeed(mixSeed(seed + 1)));
-  offset_ = 1024.0 * glm::dvec2(unitFromSeed(mixSeed(seed + 2)), unitFromSeed(mixSeed(seed + 3)));
-  timeOffset_ = 1024.0 * unitFromSeed(mixSeed(seed + 4));
+  const glm::dvec2 axis = unitVector(2.0 * pi * unitFromSeed(mixSeed(seed + 1)));
+  const glm::dvec2 velocity = octave.driftSpeed * unitVector(octave.toward) + current;
+  const auto lattice = [&](glm::dvec2 direction, std::uint64_t offset) {
+    const glm::dvec2 gradient = direction / octave.latticeSize;
+    return LinearCoordinate{gradient, -glm::dot(gradient, velocity),
+                            1024.0 * unitFromSeed(mixSeed(seed + offset))};
+  };
+  first_ = lattice(axis, 2);
+  second_ = lattice({-axis.y, axis.x}, 3);
+  slices_ = {{0.0, 0.0}, 1.0 / octave.boilTime, 1024.0 * unitFromSeed(mixSeed(seed + 4))};
   sliceSeed_ = mixSeed(seed + 5);
 }
 
 PerlinOctave::AtTime PerlinOctave::at(double t) const noexcept {
   AtTime result;
-  const glm::dvec2 drift = velocity_ * t * cellsPerMetre_;
-  result.latticeShift = offset_ - glm::dvec2(glm::dot(axis_, drift),
-                                             axis_.x * drift.y - axis_.y * drift.x);
-  const double slices = t * slicesPerSecond_ + timeOffset_;
-  const double slice = std::floor(slices);
-  const double angle = 0.5 * pi * fade(slices - slice);
-  const double angleRate = 0.5 * pi * fadeSlope(slices - slice) * slicesPerSecond_;
+  const SplitOffset slice = offsetAt(slices_, t);
+  const double angle = 0.5 * pi * fade(slice.rest);
+  const double angleRate = 0.5 * pi * fadeSlope(slice.rest) * slices_.rate;
   result.weight = {std::cos(angle), std::sin(angle)};
   result.weightRate = {-result.weight[1] * angleRate, result.weight[0] * angleRate};
-  const auto number = static_cast<std::uint64_t>(
-      static_cast<std::int64_t>(std::abs(slice) < largestCell ? slice : 0.0));
-  result.slice[0] = latticeSeeds(sliceSeed_ + number);
-  result.slice[1] = latticeSeeds(sliceSeed_ + number + 1);
+  result.amplitude = amplitude_;
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    result.slice[i] = latticeSeeds(sliceSeed_ + static_cast<std::uint64_t>(slice.whole) + i);
+    result.first = latticeAt(first_, t, result.slice[i].x, latticeStrideX);
+    result.second = latticeAt(second_, t, result.slice[i].y, latticeStrideY);
+  }
   return result;
 }
 
 OctaveSample PerlinOctave::sample(glm::dvec2 point, const AtTime& time) const noexcept {
-  const glm::dvec2 scaled = point * cellsPerMetre_;
-  const double x = glm::dot(axis_, scaled) + time.latticeShift.x;
-  const double y = axis_.x * scaled.y - axis_.y * scaled.x + time.latticeShift.y;
-  const double cellX = std::floor(x), cellY = std::floor(y);
+  const double x = time.first.at(point), cellX = std::floor(x);
+  const double y = time.second.at(point), cellY = std::floor(y);
   const Axis ax(x - cellX), ay(y - cellY);
 
   double value = 0.0, dx = 0.0, dy = 0.0, dt = 0.0;
@@ -118,41 +109,26 @@ OctaveSample PerlinOctave::sample(glm::dvec2 point, const AtTime& time) const no
     }
   }
   OctaveSample result;
-  result.height = amplitude_ * value;
-  result.slope = amplitude_ * cellsPerMetre_ *
-                 glm::dvec2(axis_.x * dx - axis_.y * dy, axis_.y * dx + axis_.x * dy);
-  result.verticalVelocity = amplitude_ * dt - glm::dot(velocity_, result.slope);
+  result.height = time.amplitude * value;
+  result.slope = time.amplitude * (dx * time.first.gradient + dy * time.second.gradient);
+  result.verticalVelocity =
+      time.amplitude * (dt + dx * time.first.rate + dy * time.second.rate);
   return result;
 }
 
-double PerlinOctave::roundingBound(double reach, double t) const noexcept {
+double PerlinOctave::roundingBound(double reach) const noexcept {
   constexpr double epsilon = 0x1.0p-52;
-  // Lattice coordinates carry three roundings of their own size, the slice number one. Per cell the
-  // noise changes by at most Σ|w'|·|d|·|g| + Σw|g| ≤ (15/4 + 1)·peak, per slice by (15/16)π·peak.
-  // The sums add some 40 roundings of the peak.
-  const double cells = (reach + glm::length(velocity_) * std::abs(t)) * cellsPerMetre_ +
-                       glm::length(offset_);
-  const double slices = std::abs(t) * slicesPerSecond_ + timeOffset_;
+  // Lattice coordinates carry three roundings of their own size. Per cell the noise changes by at
+  // most Σ|w'|·|d|·|g| + Σw|g| ≤ (15/4 + 1)·peak. The sums add some 40 roundings of the peak.
+  const double cells = 2.0 * glm::length(first_.gradient) * reach + 2.0;
   const double peak = amplitude_ * noiseRms() * peakFactor();
-  return epsilon * peak * (3.0 * 4.75 * cells + 3.0 * slices + 40.0);
+  return epsilon * peak * (3.0 * 4.75 * cells + 40.0);
 }
 
 double PerlinOctave::peakFactor() {
   // Σ_c w_c |d_c| is at most ½ along each axis (at the middle of the cell), a gradient's components
   // are at most 127.5, and the weights of two slices add up to at most √2.
   return std::sqrt(2.0) * 127.5 / noiseRms();
-}
-
-Octave makePerlinOctave(double standardDeviation, double latticeSize, double toward,
-                        double depth) {
-  Octave octave;
-  octave.standardDeviation = standardDeviation;
-  octave.latticeSize = latticeSize;
-  octave.toward = toward;
-  const double k = 2.0 * pi * perlinPeakCyclesPerCell / latticeSize;
-  octave.driftSpeed = phaseSpeed(k, depth);
-  octave.boilTime = pi / angularFrequency(k, depth);
-  return octave;
 }
 
 }  // namespace seaway

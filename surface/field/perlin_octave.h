@@ -3,19 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <limits>
 
-#include "surface/field/lattice_hash.h"
+#include "surface/field/linear_coordinate.h"
 #include "surface/field/octave.h"
+#include "surface/field/octave_sample.h"
 
 namespace seaway {
-
-/// Value and derivatives of an octave's noise at a point of the sea plane.
-struct OctaveSample {
-  double height = 0.0;
-  glm::dvec2 slope{0.0};
-  double verticalVelocity = 0.0;
-};
 
 /// Reference evaluation of a Perlin octave (Johanson 2004, "Generating waves"):
 ///
@@ -37,32 +30,32 @@ class PerlinOctave {
   PerlinOctave(const Octave& octave, std::uint64_t sceneSeed, std::uint64_t index,
                glm::dvec2 current);
 
-  /// What is the same for all points of one time.
+  /// What is the same for all points of one time: the same constants serve the fast kernels.
   struct AtTime {
-    glm::dvec2 latticeShift;           ///< offset minus drift, cells
-    LatticeSeeds slice[2];             ///< seeds of the time slices before and after t
+    LinearCoordinate first, second;    ///< lattice coordinates, cells
+    LatticeSeeds slice[2];             ///< of the time slices before and after t
     std::array<double, 2> weight;      ///< of the two slices
     std::array<double, 2> weightRate;  ///< their time derivatives, 1/s
+    double amplitude;                  ///< m per unit of noise
   };
   AtTime at(double t) const noexcept;
 
-  /// The octave at a point of the sea plane (m); SI units.
+  /// Height, slope and ∂η/∂t at a point of the sea plane (m).
   OctaveSample sample(glm::dvec2 point, const AtTime& time) const noexcept;
 
-  /// Largest rounding error of `sample().height` at distance |point| ≤ `reach` m and time t, m.
-  double roundingBound(double reach, double t) const noexcept;
+  /// Largest rounding error of `sample().height` at distance |point| ≤ `reach` m, m.
+  double roundingBound(double reach) const noexcept;
+
+  double wavelength() const { return wavelength_; }  ///< dominant, m
 
   /// Largest |n₃|/σ: the octave's bound in units of its standard deviation.
   static double peakFactor();
 
  private:
-  double amplitude_;        // aᵢ/σ
-  double cellsPerMetre_;
-  double slicesPerSecond_;
-  glm::dvec2 axis_;         // lattice x axis in the sea plane
-  glm::dvec2 velocity_;     // vᵢ + U, m/s
-  glm::dvec2 offset_;       // cells
-  double timeOffset_;       // slices
+  double amplitude_;  // aᵢ/σ
+  double wavelength_;
+  LinearCoordinate first_, second_;  // at t = 0, offsets not reduced
+  LinearCoordinate slices_;
   std::uint64_t sliceSeed_;
 };
 

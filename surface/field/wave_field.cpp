@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "surface/field/tile.h"
 #include "surface/input_error.h"
 
 namespace seaway {
@@ -18,60 +19,90 @@ namespace {
   throw InputError(message.str());
 }
 
-void check(const std::vector<Octave>& octaves, const WaveFieldSettings& settings) {
-  for (std::size_t i = 0; i < octaves.size(); ++i) {
-    const Octave& octave = octaves[i];
-    const auto positive = [](double x) { return std::isfinite(x) && x > 0.0; };
-    if (!(std::isfinite(octave.standardDeviation) && octave.standardDeviation >= 0.0)) {
-      reject(i, "standard deviation", octave.standardDeviation, ">= 0 m");
-    }
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+void check(const Octave& octave, std::size_t i) {
+  if (!(std::isfinite(octave.standardDeviation) && octave.standardDeviation >= 0.0)) {
+    reject(i, "standard deviation", octave.standardDeviation, ">= 0 m");
+  }
+  if (!std::isfinite(octave.toward)) reject(i, "direction", octave.toward, "finite");
+  if (octave.kind == OctaveKind::perlin) {
     if (!positive(octave.latticeSize)) reject(i, "lattice size", octave.latticeSize, "> 0 m");
     if (!positive(octave.boilTime)) reject(i, "boil time", octave.boilTime, "> 0 s");
-    if (!std::isfinite(octave.toward)) reject(i, "direction", octave.toward, "finite");
     if (!std::isfinite(octave.driftSpeed)) reject(i, "drift speed", octave.driftSpeed, "finite");
+    return;
   }
+  if (!positive(octave.waveNumber)) reject(i, "wave number", octave.waveNumber, "> 0 rad/m");
+  if (!std::isfinite(octave.phase)) reject(i, "phase", octave.phase, "finite");
+  if (octave.kind == OctaveKind::regular) return;
+  if (!positive(octave.lengthAlong)) reject(i, "group length", octave.lengthAlong, "> 0 m");
+  if (!positive(octave.lengthAcross)) reject(i, "crest length", octave.lengthAcross, "> 0 m");
+}
+
+void check(const std::vector<Octave>& octaves, const WaveFieldSettings& settings) {
+  for (std::size_t i = 0; i < octaves.size(); ++i) check(octaves[i], i);
   if (!(settings.depth > 0.0)) throw InputError("depth must be > 0 m");
   if (!std::isfinite(settings.current.x) || !std::isfinite(settings.current.y)) {
     throw InputError("current must be finite");
   }
 }
 
-SurfaceSample invalid(SampleStatus status) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {nan, {nan, nan}, nan, nan, nan, status};
-}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool isFinite(glm::dvec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+
+/// Rounding of a kernel's float arithmetic relative to an octave's standard deviation: fractions of
+/// cells and turns carry 2⁻²⁵ and cost up to 2π per turn; polynomials err by 5e-7; sums add a few
+/// roundings of the peak. Measured largest: tests/surface/field_kernels_test.cpp.
+constexpr double kernelRounding = 4e-6;
 
 }  // namespace
 
 WaveField::WaveField(std::vector<Octave> octaves, const WaveFieldSettings& settings)
-    : octaves_(std::move(octaves)), settings_(settings) {
-  check(octaves_, settings_);
-  // Still octaves would cost time for nothing.
-  std::erase_if(octaves_, [](const Octave& octave) { return octave.standardDeviation == 0.0; });
-
-  // Each octave keeps the lattice of its place in the given order, however its rank changes.
-  std::vector<std::size_t> order(octaves_.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return octaves_[a].standardDeviation > octaves_[b].standardDeviation;
-  });
-  std::vector<Octave> sorted;
-  for (const std::size_t i : order) {
-    sorted.push_back(octaves_[i]);
-    evaluators_.emplace_back(octaves_[i], settings_.seed, i, settings_.current);
+    : settings_(settings) {
+  check(octaves, settings_);
+  // Each octave keeps the lattice of its place in the given order, however its rank changes. Still
+  // octaves would cost time for nothing.
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < octaves.size(); ++i) {
+    if (octaves[i].standardDeviation > 0.0) order.push_back(i);
   }
-  octaves_ = std::move(sorted);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return octaves[a].standardDeviation > octaves[b].standardDeviation;
+  });
+
+  double peaks = 0.0;
+  keptByKind_.push_back({});
+  for (const std::size_t i : order) {
+    const Octave& octave = octaves[i];
+    octaves_.push_back(octave);
+    KeptOctaves kept = keptByKind_.back();
+    double peakFactor = PerlinOctave::peakFactor();
+    if (octave.kind == OctaveKind::perlin) {
+      perlins_.emplace_back(octave, settings_.seed, i, settings_.current);
+      boundPerMetre_ += perlins_.back().roundingBound(1.0);
+      ++kept.perlins;
+    } else {
+      const bool regular = octave.kind == OctaveKind::regular;
+      auto& list = regular ? regulars_ : groups_;
+      list.emplace_back(octave, settings_.seed, i, settings_.current, settings_.depth);
+      boundPerMetre_ += list.back().roundingBound(1.0);
+      peakFactor = list.back().peakFactor();
+      ++(regular ? kept.regulars : kept.groups);
+    }
+    keptByKind_.push_back(kept);
+    peaks += octave.standardDeviation * peakFactor;
+    floatBound_ += kernelRounding * octave.standardDeviation;
+  }
 
   leftOut_.assign(octaves_.size() + 1, 0.0);
-  double variance = 0.0, peaks = 0.0;
+  double variance = 0.0;
   for (std::size_t i = octaves_.size(); i-- > 0;) {
     variance += octaves_[i].standardDeviation * octaves_[i].standardDeviation;
-    peaks += octaves_[i].standardDeviation * PerlinOctave::peakFactor();
     leftOut_[i] = std::sqrt(variance);
   }
-  heightBound_ = std::min(5.5 * standardDeviation(), peaks);
+  // Regular waves are no Gaussian sea: a focused group reaches the sum of its amplitudes.
+  heightBound_ = regulars_.empty() ? std::min(5.5 * standardDeviation(), peaks) : peaks;
 }
 
 std::size_t WaveField::octavesFor(double tolerance) const {
@@ -80,23 +111,93 @@ std::size_t WaveField::octavesFor(double tolerance) const {
   return kept;
 }
 
+WaveField::Selection WaveField::select(const SampleOptions& options) const noexcept {
+  const std::size_t count = options.tolerance > 0.0 ? octavesFor(options.tolerance) : octaves_.size();
+  Selection selection{keptByKind_[count], leftOut_[count], SampleStatus::ok, options.orbitalVelocity};
+  if (options.shortestWavelength > 0.0) {
+    selection.kept.shortestWavelength = static_cast<float>(options.shortestWavelength);
+    double variance = leftOut_[count] * leftOut_[count];
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool kept = static_cast<float>(dominantWavelength(octaves_[i])) >=
+                        selection.kept.shortestWavelength;
+      if (!kept) variance += octaves_[i].standardDeviation * octaves_[i].standardDeviation;
+    }
+    selection.error = std::sqrt(variance);
+  }
+  if (selection.error > 0.0) selection.status |= SampleStatus::truncated;
+  if (selection.orbital && selection.kept.perlins > 0) {
+    selection.status |= SampleStatus::noKinematics;
+  }
+  return selection;
+}
+
+double WaveField::bound(double reach) const noexcept {
+  return floatBound_ + boundPerMetre_ * (1.0 + reach);
+}
+
+SurfaceSample WaveField::blank(glm::dvec2 point, bool timeIsFinite,
+                               const Selection& selection) const noexcept {
+  SurfaceSample sample;
+  if (timeIsFinite && isFinite(point)) {
+    sample.error = selection.error;
+    sample.status = selection.status;
+    return sample;
+  }
+  sample.height = sample.slope.x = sample.slope.y = sample.verticalVelocity = nan;
+  sample.error = sample.bound = nan;
+  sample.status = SampleStatus::notFinite;
+  return sample;
+}
+
+void WaveField::finish(std::span<const glm::dvec2> points, bool timeIsFinite,
+                       const Selection& selection, const Tile& tile,
+                       std::span<SurfaceSample> out) const noexcept {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    SurfaceSample sample = blank(points[p], timeIsFinite, selection);
+    if (!has(sample.status, SampleStatus::notFinite)) {
+      tile.store(p, settings_.current, sample);
+      sample.bound = bound(glm::length(points[p]));
+    }
+    out[p] = sample;
+  }
+}
+
 void WaveField::sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
                        const SampleOptions& options) const noexcept {
-  const bool exact = !(options.tolerance > 0.0);
-  const std::size_t kept = exact ? octaves_.size() : octavesFor(options.tolerance);
+  const Selection selection = select(options);
+  const bool timeIsFinite = std::isfinite(t);
+  const std::size_t sections = FieldSection::count(lists());
+  FieldSection section;
+  if (timeIsFinite) section.prepare(lists(), 0, t);
+  Tile tile(selection.orbital);
+  for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
+    const std::size_t count = std::min(pointsPerTile, points.size() - first);
+    tile.load(points.subspan(first, count));
+    for (std::size_t s = 0; timeIsFinite && s < sections; ++s) {
+      if (sections > 1) section.prepare(lists(), s, t);
+      section.addBatch(selection.kept, tile.x(), tile.y(), count, tile.sums());
+    }
+    finish(points.subspan(first, count), timeIsFinite, selection, tile, out.subspan(first, count));
+  }
+}
+
+FieldAtTime WaveField::at(double t) const { return FieldAtTime(*this, t); }
+
+void WaveField::sampleReference(std::span<const glm::dvec2> points, double t,
+                                std::span<SurfaceSample> out,
+                                const SampleOptions& options) const noexcept {
+  const Selection selection = select(options);
   const bool timeIsFinite = std::isfinite(t);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const bool valid = timeIsFinite && isFinite(points[p]);
-    out[p] = valid ? SurfaceSample{} : invalid(SampleStatus::notFinite);
-    if (!valid) continue;
-    out[p].error = leftOut_[kept];
-    if (kept < octaves_.size()) out[p].status |= SampleStatus::truncated;
+    out[p] = blank(points[p], timeIsFinite, selection);
+    const bool defined = selection.orbital && out[p].status != SampleStatus::notFinite &&
+                         !has(out[p].status, SampleStatus::noKinematics);
+    if (defined) out[p].orbitalVelocity = glm::dvec3(0.0);
   }
   if (!timeIsFinite) return;
-
-  for (std::size_t i = 0; i < kept; ++i) {
-    const PerlinOctave& octave = evaluators_[i];
-    const PerlinOctave::AtTime time = octave.at(t);
+  const auto add = [&](const auto& octave, glm::dvec2 orbitalPerHeight) {
+    if (static_cast<float>(octave.wavelength()) < selection.kept.shortestWavelength) return;
+    const auto time = octave.at(t);
     for (std::size_t p = 0; p < points.size(); ++p) {
       SurfaceSample& sample = out[p];
       if (has(sample.status, SampleStatus::notFinite)) continue;
@@ -104,13 +205,26 @@ void WaveField::sample(std::span<const glm::dvec2> points, double t, std::span<S
       sample.height += part.height;
       sample.slope += part.slope;
       sample.verticalVelocity += part.verticalVelocity;
-      sample.bound += octave.roundingBound(glm::length(points[p]), t);
+      sample.bound += octave.roundingBound(glm::length(points[p]));
+      sample.orbitalVelocity +=
+          glm::dvec3(orbitalPerHeight * part.height,
+                     part.verticalVelocity + glm::dot(settings_.current, part.slope));
     }
+  };
+  const KeptOctaves& kept = selection.kept;
+  for (std::size_t i = 0; i < kept.groups; ++i) {
+    add(groups_[i], groups_[i].orbitalVelocityPerHeight());
+  }
+  for (std::size_t i = 0; i < kept.perlins; ++i) add(perlins_[i], glm::dvec2(nan));
+  for (std::size_t i = 0; i < kept.regulars; ++i) {
+    add(regulars_[i], regulars_[i].orbitalVelocityPerHeight());
   }
 }
 
 std::size_t WaveField::memoryBytes() const {
-  return octaves_.size() * (sizeof(Octave) + sizeof(PerlinOctave) + sizeof(double));
+  return octaves_.size() * (sizeof(Octave) + sizeof(double) + sizeof(KeptOctaves)) +
+         (groups_.size() + regulars_.size()) * sizeof(GroupOctave) +
+         perlins_.size() * sizeof(PerlinOctave);
 }
 
 }  // namespace seaway

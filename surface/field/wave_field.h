@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "surface/field/field_section.h"
+#include "surface/field/group_octave.h"
 #include "surface/field/octave.h"
 #include "surface/field/perlin_octave.h"
 #include "surface/surface_sample.h"
@@ -20,11 +22,14 @@ struct WaveFieldSettings {
   glm::dvec2 current{0.0};  ///< uniform current, m/s (east, north): carries the waves along
 };
 
+class FieldAtTime;
+class Tile;
+
 /// The waves: η(x, t) = Σᵢ ηᵢ(x, t), a pure function of seed, octaves, place and time.
 ///
 /// Immutable after construction. Every member is thread-safe; `sample` neither allocates nor
-/// locks, and gives the same bits for a point whatever batch it comes in. Octaves are kept by
-/// falling standard deviation, so that a tolerance keeps a prefix of them.
+/// locks, and gives the same bits for a point whatever batch it comes in and whichever call asks.
+/// Octaves are kept by falling standard deviation, so that a tolerance keeps a prefix of them.
 class WaveField {
  public:
   /// Throws InputError for an octave or setting outside the ranges stated beside it.
@@ -51,18 +56,76 @@ class WaveField {
   /// since the scene's epoch). `out` has at least the size of `points`. A point that is not finite
   /// gets NaN and `notFinite`; the others are unharmed.
   ///
-  /// Double precision throughout; `bound` covers its rounding, which grows with |x| and |t|.
+  /// Coordinates are reduced in double, the rest is float in vectors of points: `bound` covers
+  /// both (tests/surface/field_kernels_test.cpp). Many queries of few points at one time are
+  /// cheaper through `at`.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept;
+
+  /// The field prepared for one time.
+  FieldAtTime at(double t) const;
+
+  /// The same field in double precision throughout, octave by octave as the equations read: the
+  /// truth that `sample` is tested against, some ten times slower. `bound` covers its own rounding.
+  void sampleReference(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
+                       const SampleOptions& options = {}) const noexcept;
+
+  /// Largest numerical error of a height from `sample` at distance |point| ≤ `reach` m, m.
+  double bound(double reach) const noexcept;
 
   std::size_t memoryBytes() const;
 
  private:
+  friend class FieldAtTime;
+
+  OctaveLists lists() const { return {groups_, perlins_, regulars_}; }
+  /// What some options leave of the field, and what every valid sample says of it.
+  struct Selection {
+    KeptOctaves kept;
+    double error = 0.0;  // standard deviation left out, m
+    SampleStatus status = SampleStatus::ok;
+    bool orbital = false;
+  };
+  Selection select(const SampleOptions& options) const noexcept;
+  SurfaceSample blank(glm::dvec2 point, bool timeIsFinite, const Selection& selection) const noexcept;
+  void finish(std::span<const glm::dvec2> points, bool timeIsFinite, const Selection& selection,
+              const Tile& tile, std::span<SurfaceSample> out) const noexcept;
+
   std::vector<Octave> octaves_;
-  std::vector<PerlinOctave> evaluators_;  // one an octave, same order
-  std::vector<double> leftOut_;  // [kept] = √Σ of the rest; one more than octaves
+  std::vector<GroupOctave> groups_, regulars_;  // in the order of octaves_
+  std::vector<PerlinOctave> perlins_;
+  std::vector<KeptOctaves> keptByKind_;  // [kept]: how many of each kind are among them
+  std::vector<double> leftOut_;          // [kept] = √Σ of the rest; one more than octaves
   WaveFieldSettings settings_;
   double heightBound_ = 0.0;
+  double floatBound_ = 0.0;     // m: rounding of the kernels in float
+  double boundPerMetre_ = 0.0;  // rounding of the coordinates in double, per metre of reach
+};
+
+/// A wave field at one time: what depends on the time alone is worked out once. Refers to the
+/// field, which must outlive it. Const calls are thread-safe, allocate nothing and give the bits
+/// that WaveField::sample gives.
+class FieldAtTime {
+ public:
+  FieldAtTime(const WaveField& field, double t);
+
+  double time() const { return time_; }
+  void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
+              const SampleOptions& options = {}) const noexcept;
+  SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept;
+
+  /// The same values as arrays of floats, the cheapest form: `x` and `y` of n points, n elements in
+  /// each span that is not empty. Points that are not finite give NaN.
+  struct Arrays {
+    std::span<float> height, slopeX, slopeY, rate;
+  };
+  void sample(std::span<const double> x, std::span<const double> y, const Arrays& out,
+              const SampleOptions& options = {}) const noexcept;
+
+ private:
+  const WaveField* field_;
+  double time_;
+  std::vector<FieldSection> sections_;
 };
 
 }  // namespace seaway

@@ -67,7 +67,7 @@ double power(const std::vector<double>& heights, double q, double angle) {
 }
 
 TEST(PerlinSpectrum, AgreesWithAPeriodogramOfTheOctave) {
-  const Octave unit{OctaveKind::perlin, 1.0, 1.0, 0.0, 0.0, 1.0};
+  const Octave unit = makePerlinOctave(1.0, 1.0, 0.0);
   const PerlinOctave octave(unit, 11, 0, {0.0, 0.0});
   std::vector<std::vector<double>> measured;
   for (int square = 0; square < squares; ++square) measured.push_back(taperedSquare(octave, square));
