@@ -10,7 +10,7 @@ namespace {
 using test::seaway;
 
 TEST(CommandLine, EverySubcommandHasHelpWithAnExample) {
-  for (const char* command : {"run", "query", "render", "fit", "explain", "schema"}) {
+  for (const char* command : {"run", "query", "render", "fit", "explain", "cost", "schema"}) {
     const auto outcome = seaway({command, "--help"});
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;

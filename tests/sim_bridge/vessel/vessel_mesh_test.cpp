@@ -54,7 +54,8 @@ TEST(VesselMesh, PlatingFacesOutwards) {
 }
 
 TEST(VesselMesh, DeckFacesUp) {
-  const auto& deck = launchMesh(model(VesselShape::launch).hull, {}).parts[2].vertices;
+  const render::Mesh mesh = launchMesh(model(VesselShape::launch).hull, {});
+  const auto& deck = mesh.parts[2].vertices;
   for (std::size_t i = 0; i < deck.size(); i += 3) {
     EXPECT_GE(glm::cross(deck[i + 1] - deck[i], deck[i + 2] - deck[i]).z, -1e-5f);
   }

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/sim_bridge/test_support.h"
+
+namespace seaway::bridge {
+namespace {
+
+using test::seaway;
+using test::TempFolder;
+using test::writeScene;
+
+const nlohmann::json& studyCalled(const nlohmann::json& report, const std::string& name) {
+  for (const auto& study : report["studies"]) {
+    if (study["name"] == name) return study;
+  }
+  throw std::runtime_error("no study " + name);
+}
+
+TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
+  const TempFolder folder;
+  const auto outcome = seaway({"cost", writeScene(folder).string(), "--out",
+                               (folder / "cost").string(), "--quick", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const char* name : {"query_octaves", "image_depth_grid", "image_height_grid"}) {
+    const auto& study = studyCalled(report, name);
+    ASSERT_GE(study["points"].size(), 3u) << name;
+    EXPECT_TRUE(study["unit_error"].is_string());
+    EXPECT_LT(study["points"].back()["error"].get<double>(),
+              0.5 * study["points"].front()["error"].get<double>())
+        << name;
+    for (const auto& point : study["points"]) EXPECT_GT(point["cost"].get<double>(), 0.0);
+  }
+  EXPECT_EQ(nlohmann::json::parse(test::readFile(folder / "cost/cost.json")), report);
+  EXPECT_TRUE(test::readFile(folder / "cost/cost.csv").starts_with("study,setting,error,"));
+}
+
+TEST(CostCommand, RefusesAFolderItCannotWriteBeforeAnyWork) {
+  const TempFolder folder;
+  const auto outcome = seaway({"cost", writeScene(folder).string(), "--out", "/proc/nowhere"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("/proc/nowhere"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace seaway::bridge
