@@ -9,7 +9,6 @@
 #include "render/band_limit.h"
 #include "surface/angles.h"
 #include "surface/constants.h"
-#include "surface/field/perlin_spectrum.h"
 
 namespace seaway::render {
 namespace {
@@ -80,7 +79,7 @@ Ripples ripplesFor(const WaveField& waves, double windSpeed) {
     towards = waves.octaves().front().toward;
     shortest = 1e300;
     for (const Octave& octave : waves.octaves()) {
-      shortest = std::min(shortest, octave.latticeSize / perlinPeakCyclesPerCell);
+      shortest = std::min(shortest, dominantWavelength(octave));
     }
   }
   Ripples ripples;

@@ -21,11 +21,6 @@ double spacingAt(const Projector& projector, const std::vector<double>& rows, in
   return std::max({glm::distance(here, beside), glm::distance(here, beyond), 1e-9});
 }
 
-/// Options that keep exactly the first `count` octaves. (A tolerance of 0 asks for all.)
-SampleOptions keeping(const WaveField& waves, std::size_t count) {
-  return {count == waves.octaves().size() ? 0.0 : waves.leftOut(count)};
-}
-
 }  // namespace
 
 void SeaGrid::fill(const WaterSurface& water, double time, const Camera& camera,
@@ -54,9 +49,9 @@ void SeaGrid::fill(const WaterSurface& water, double time, const Camera& camera,
 
 void SeaGrid::fillRow(const WaterSurface& water, double time, const Camera& camera,
                       const BandLimit::Plan& plan, int row) {
-  const bool fades = plan.fading > plan.kept;
-  water.sample(points_, time, partial_, keeping(water.waves(), plan.kept));
-  if (fades) water.sample(points_, time, full_, keeping(water.waves(), plan.fading));
+  const bool fades = plan.weight > 0.0;
+  water.sample(points_, time, partial_, {.shortestWavelength = plan.keptWavelength});
+  if (fades) water.sample(points_, time, full_, {.shortestWavelength = plan.fadingWavelength});
   SeaVertex* vertex = vertices_.data() + static_cast<std::size_t>(row) * size_.x;
   for (int column = 0; column < size_.x; ++column, ++vertex) {
     const SurfaceSample& partial = partial_[column];

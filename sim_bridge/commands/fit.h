@@ -14,7 +14,7 @@ struct FitOptions {
   std::optional<int> record;  ///< of a file, from 0
   std::string time;           ///< of a file, ISO 8601
   std::string model = "perlin";
-  int octaves = 8;
+  std::optional<int> octaves;
   std::optional<double>
       from_deg;  ///< compass direction the waves come from; else 0, with a warning
   double depth = std::numeric_limits<double>::infinity();  ///< m

@@ -78,7 +78,10 @@ std::vector<SurfaceSample> sampleAll(const std::vector<Point>& points, const Wat
     } else {
       const SampleStatus status =
           points[i].inRange ? SampleStatus::notFinite : SampleStatus::outOfRange;
-      samples[i] = {nan, glm::dvec2(nan), nan, nan, nan, status};
+      samples[i].height = samples[i].verticalVelocity = nan;
+      samples[i].slope = glm::dvec2(nan);
+      samples[i].error = samples[i].bound = nan;
+      samples[i].status = status;
     }
   }
   std::vector<glm::dvec2> batch;

@@ -33,7 +33,7 @@ struct ParametricState {
   double peakEnhancement = 3.3;        ///< γ
   double from_deg = 0.0;
   double spreadExponent = 10.0;  ///< s of cos²ˢ((θ − θ_m)/2); infinite: one direction
-  int octaves = 8;
+  int octaves = 0;               ///< to fit; 0: 24 group octaves or 8 Perlin octaves
 };
 
 /// A sea state that `seaway fit` wrote.
@@ -55,6 +55,7 @@ struct SeaSettings {
   double waterLevel = 0.0;                                 ///< m above the geoid
   Current current;
   std::int64_t seed = 1;
+  OctaveKind model = OctaveKind::group;  ///< of parametric states
   SeaState state;
 };
 

@@ -9,8 +9,7 @@ const Range latitudes = Range::within(-90.0, 90.0);
 const Range longitudes = Range::within(-180.0, 360.0);
 const Range compass = Range::within(-360.0, 360.0);
 
-constexpr int fewestOctaves = 1;
-constexpr int mostOctaves = 32;
+constexpr int mostOctaves = 64;
 
 Mapping<Place> placeSchema() {
   return Mapping<Place>({
@@ -29,7 +28,8 @@ Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
              Need::required),
       number("spread_s", &P::spreadExponent, "1", Range::atLeast(0.5).orInfinite(),
              "exponent s of the spreading cos²ˢ((θ − θ_m)/2) that octaves' directions follow"),
-      integer("octaves", &P::octaves, fewestOctaves, mostOctaves, "octaves to fit"),
+      integer("octaves", &P::octaves, 0, mostOctaves,
+              "octaves to fit; 0: 24 group octaves or 8 Perlin octaves"),
   };
   if (withPeakEnhancement) {
     fields.push_back(
@@ -98,6 +98,8 @@ Mapping<SeaSettings> seaSchema() {
       mapping("current", &S::current, current, "uniform current; it carries the waves along"),
       integer("seed", &S::seed, 0, std::numeric_limits<std::int64_t>::max(),
               "rules every random choice"),
+      choice("model", &S::model, {{"group", OctaveKind::group}, {"perlin", OctaveKind::perlin}},
+             "kind of octaves that parametric states become"),
       mapping("state", &S::state, stateSchema(), "the waves", Need::required),
   });
 }

@@ -19,12 +19,14 @@ struct Waves {
 };
 
 Waves wavesOf(const ParametricState& state, const Scene& scene) {
+  const bool group = scene.sea.model == OctaveKind::group;
   OctaveFitOptions options;
-  options.octaves = state.octaves;
+  options.octaves = state.octaves > 0 ? state.octaves : group ? 24 : 8;
   options.toward = towardFromCompassFrom(state.from_deg);
   options.depth = scene.sea.depth;
-  OctaveFit fit = fitPerlinOctaves(
-      jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement}), options);
+  const FrequencySpectrum target =
+      jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement});
+  OctaveFit fit = group ? fitGroupOctaves(target, options) : fitPerlinOctaves(target, options);
   if (!fit.summary.usable) {
     throw InputError(scene.file.string(), 0,
                      "key 'sea.state': cannot be fitted: " + fit.summary.message);
@@ -71,10 +73,10 @@ double realisedSignificantWaveHeight(const WaterSurface& surface) {
   constexpr int times = 64;
   constexpr int placesPerTime = 1024;
   double longest = 0.0;
-  double slowest = 0.0;
   for (const Octave& octave : surface.waves().octaves()) {
-    longest = std::max(longest, octave.latticeSize);
-    slowest = std::max(slowest, octave.boilTime);
+    // A regular wave never forgets: a few hundred of its lengths are as good as any.
+    const double length = octave.kind == OctaveKind::regular ? 0.0 : correlationLength(octave);
+    longest = std::max({longest, length, dominantWavelength(octave)});
   }
   if (longest == 0.0) return 0.0;
   // The generator's own bits, not a distribution's: those differ between libraries.
@@ -86,7 +88,7 @@ double realisedSignificantWaveHeight(const WaterSurface& surface) {
   double sumOfSquares = 0.0;
   for (int time = 0; time < times; ++time) {
     for (glm::dvec2& place : places) place = 400.0 * longest * glm::dvec2(uniform(), uniform());
-    surface.sample(places, 2.0 * slowest * time, samples);
+    surface.sample(places, 1e4 * (uniform() + 0.5), samples);
     for (const SurfaceSample& sample : samples) {
       sum += sample.height;
       sumOfSquares += sample.height * sample.height;

@@ -14,8 +14,8 @@ struct Sea {
   double hm0Asked = 0.0;  ///< m; 0 where the scene asks for flat water or switches waves off
 };
 
-/// Builds the sea: parametric states are fitted with Perlin octaves on S(k), whose directions
-/// follow the spreading function at low-discrepancy quantiles. Throws InputError where the state
+/// Builds the sea: parametric states are fitted with group octaves on S(f), or with Perlin octaves
+/// on S(k), as the scene's `sea.model` says; their directions follow the spreading function at low-discrepancy quantiles. Throws InputError where the state
 /// cannot be fitted.
 Sea buildSea(const Scene& scene);
 

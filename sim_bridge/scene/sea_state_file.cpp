@@ -46,13 +46,35 @@ void emit(YAML::Emitter& out, const char* key, const std::string& value) {
   if (!value.empty()) out << YAML::Key << key << YAML::Value << value;
 }
 
+void emit(YAML::Emitter& out, const char* key, const std::optional<double>& value) {
+  if (value) emit(out, key, *value);
+}
+
 void emitOctave(YAML::Emitter& out, const OctaveEntry& octave) {
   out << YAML::Flow << YAML::BeginMap;
-  emit(out, "kind", std::string("perlin"));
+  emit(out, "kind", kindName(octave.kind));
   emit(out, "standard_deviation_m", octave.standardDeviation);
   emit(out, "lattice_m", octave.latticeSize);
+  emit(out, "frequency_hz", octave.frequency);
+  emit(out, "bandwidth_hz", octave.bandwidth);
+  emit(out, "directional_width_deg", octave.directionalWidth_deg);
+  if (octave.kind == OctaveKind::regular) emit(out, "phase_deg", octave.phase_deg);
   emit(out, "toward_deg", octave.toward_deg);
   out << YAML::EndMap;
+}
+
+/// A kind needs its own keys and takes no others.
+void requireKeysOfKind(const OctaveEntry& entry, const YamlValue& value) {
+  const bool perlin = entry.kind == OctaveKind::perlin, group = entry.kind == OctaveKind::group;
+  const auto check = [&](const char* key, const std::optional<double>& given, bool wanted) {
+    if (wanted == given.has_value()) return;
+    value.fail("a " + kindName(entry.kind) + " octave " + (wanted ? "needs" : "has no") + " key '" +
+               key + "'");
+  };
+  check("lattice_m", entry.latticeSize, perlin);
+  check("frequency_hz", entry.frequency, !perlin);
+  check("bandwidth_hz", entry.bandwidth, group);
+  check("directional_width_deg", entry.directionalWidth_deg, group);
 }
 
 void emitProvenance(YAML::Emitter& out, const FitProvenance& provenance) {
@@ -84,16 +106,59 @@ double FittedSeaState::significantWaveHeight() const {
 
 const Mapping<OctaveEntry>& octaveEntrySchema() {
   using E = OctaveEntry;
-  static const Mapping<E> schema({
-      choice("kind", &E::kind, {{"perlin", OctaveKind::perlin}}, "kind of octave"),
-      number("standard_deviation_m", &E::standardDeviation, "m", Range::atLeast(0.0),
-             "of the octave's height", Need::required),
-      number("lattice_m", &E::latticeSize, "m", Range::above(0.0), "side of a lattice cell",
-             Need::required),
-      number("toward_deg", &E::toward_deg, "°", Range::within(-360.0, 360.0),
-             "compass direction the octave drifts to", Need::required),
-  });
+  static const Mapping<E> schema(
+      {
+          choice("kind", &E::kind,
+                 {{"perlin", OctaveKind::perlin},
+                  {"group", OctaveKind::group},
+                  {"regular", OctaveKind::regular}},
+                 "kind of octave"),
+          number("standard_deviation_m", &E::standardDeviation, "m", Range::atLeast(0.0),
+                 "of the octave's height (a regular wave's amplitude over √2)", Need::required),
+          number("lattice_m", &E::latticeSize, "m", Range::above(0.0),
+                 "perlin: side of a lattice cell"),
+          number("frequency_hz", &E::frequency, "Hz", Range::above(0.0),
+                 "group, regular: frequency of its waves"),
+          number("bandwidth_hz", &E::bandwidth, "Hz", Range::above(0.0),
+                 "group: full width at half maximum of its spectrum at a fixed point"),
+          number("directional_width_deg", &E::directionalWidth_deg, "°", Range::within(0.1, 180.0),
+                 "group: full width at half maximum over direction"),
+          number("phase_deg", &E::phase_deg, "°", Range::within(-360.0, 360.0),
+                 "regular: phase at the anchor at time 0"),
+          number("toward_deg", &E::toward_deg, "°", Range::within(-360.0, 360.0),
+                 "compass direction the octave goes to", Need::required),
+      },
+      requireKeysOfKind);
   return schema;
+}
+
+std::string kindName(OctaveKind kind) {
+  switch (kind) {
+    case OctaveKind::perlin: return "perlin";
+    case OctaveKind::group: return "group";
+    case OctaveKind::regular: return "regular";
+  }
+  return "";
+}
+
+OctaveEntry entryOf(const Octave& octave, double depth) {
+  OctaveEntry entry;
+  entry.kind = octave.kind;
+  entry.standardDeviation = octave.standardDeviation;
+  entry.toward_deg = compassTowardFromToward(octave.toward);
+  if (octave.kind == OctaveKind::perlin) {
+    entry.latticeSize = octave.latticeSize;
+    return entry;
+  }
+  const WaveBand band = bandOf(octave, depth);
+  entry.frequency = band.frequency;
+  if (octave.kind == OctaveKind::group) {
+    entry.bandwidth = band.bandwidth;
+    entry.directionalWidth_deg = degreesFromRadians(band.directionalWidth);
+  } else {
+    entry.phase_deg = degreesFromRadians(octave.phase);
+  }
+  return entry;
 }
 
 const Mapping<FittedSeaState>& seaStateFileSchema() {
@@ -125,8 +190,21 @@ void writeSeaState(const std::filesystem::path& file, const FittedSeaState& seaS
 std::vector<Octave> octavesOf(const FittedSeaState& seaState, double depth) {
   std::vector<Octave> octaves;
   for (const OctaveEntry& entry : seaState.octaves) {
-    octaves.push_back(makePerlinOctave(entry.standardDeviation, entry.latticeSize,
-                                       towardFromCompassToward(entry.toward_deg), depth));
+    const double toward = towardFromCompassToward(entry.toward_deg);
+    const double deviation = entry.standardDeviation;
+    switch (entry.kind) {
+      case OctaveKind::perlin:
+        octaves.push_back(makePerlinOctave(deviation, *entry.latticeSize, toward, depth));
+        break;
+      case OctaveKind::group:
+        octaves.push_back(makeGroupOctave(deviation, *entry.frequency, *entry.bandwidth, toward,
+                                          radiansFromDegrees(*entry.directionalWidth_deg), depth));
+        break;
+      case OctaveKind::regular:
+        octaves.push_back(makeRegularWave(deviation * std::sqrt(2.0), *entry.frequency, toward,
+                                          radiansFromDegrees(entry.phase_deg), depth));
+        break;
+    }
   }
   return octaves;
 }

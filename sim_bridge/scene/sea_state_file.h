@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,23 @@
 
 namespace seaway::bridge {
 
-/// One octave as a file gives it.
+/// One octave as a file gives it. Which keys a kind needs: `octaveEntrySchema`.
 struct OctaveEntry {
   OctaveKind kind = OctaveKind::perlin;
   double standardDeviation = 0.0;  ///< m
-  double latticeSize = 0.0;        ///< m
-  double toward_deg = 0.0;         ///< compass direction the octave drifts to
+  double toward_deg = 0.0;         ///< compass direction the octave goes to
+  std::optional<double> latticeSize;           ///< perlin, m
+  std::optional<double> frequency;             ///< group and regular, Hz
+  std::optional<double> bandwidth;             ///< group, Hz
+  std::optional<double> directionalWidth_deg;  ///< group
+  double phase_deg = 0.0;                      ///< regular
 };
+
+/// The entry that reads back as `octave` at a depth (m, > 0 or infinite).
+OctaveEntry entryOf(const Octave& octave, double depth);
+
+/// The kind's word in files.
+std::string kindName(OctaveKind kind);
 
 /// Where a fitted sea state comes from.
 struct FitProvenance {
@@ -54,7 +65,7 @@ FittedSeaState loadSeaState(const std::filesystem::path& file);
 /// back to the same numbers.
 void writeSeaState(const std::filesystem::path& file, const FittedSeaState& seaState);
 
-/// The octaves with drift and boiling for a depth (m, > 0 or infinite).
+/// The octaves at a depth (m, > 0 or infinite).
 std::vector<Octave> octavesOf(const FittedSeaState& seaState, double depth);
 
 }  // namespace seaway::bridge

@@ -65,6 +65,15 @@ Octave makePerlinOctave(double standardDeviation, double latticeSize, double tow
   return octave;
 }
 
+WaveBand bandOf(const Octave& octave, double depth) {
+  WaveBand band;
+  band.frequency = angularFrequency(octave.waveNumber, depth) / (2.0 * pi);
+  if (octave.kind != OctaveKind::group) return band;
+  band.bandwidth = groupBandCycles * groupSpeed(octave.waveNumber, depth) / octave.lengthAlong;
+  band.directionalWidth = groupBandCycles * 2.0 * pi / (octave.waveNumber * octave.lengthAcross);
+  return band;
+}
+
 double dominantWavelength(const Octave& octave) {
   if (octave.kind == OctaveKind::perlin) return octave.latticeSize / perlinPeakCyclesPerCell;
   return 2.0 * pi / octave.waveNumber;

@@ -55,6 +55,14 @@ Octave makeRegularWave(double amplitude, double frequency, double toward, double
 Octave makePerlinOctave(double standardDeviation, double latticeSize, double toward,
                         double depth = std::numeric_limits<double>::infinity());
 
+/// What a buoy sees of a group octave or regular wave: the arguments of its maker.
+struct WaveBand {
+  double frequency = 0.0;         ///< Hz, without current
+  double bandwidth = 0.0;         ///< Hz; 0 for a regular wave
+  double directionalWidth = 0.0;  ///< rad; 0 for a regular wave
+};
+WaveBand bandOf(const Octave& octave, double depth = std::numeric_limits<double>::infinity());
+
 /// Wavelength at the octave's spectral peak, m.
 double dominantWavelength(const Octave& octave);
 
