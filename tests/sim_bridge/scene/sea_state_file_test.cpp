@@ -11,10 +11,29 @@ namespace {
 using test::inputErrorOf;
 using test::TempFolder;
 
+/// An octave with numbers that no short decimal holds, in the keys its kind has.
+OctaveEntry entry(OctaveKind kind, double standardDeviation, double toward_deg) {
+  OctaveEntry octave;
+  octave.kind = kind;
+  octave.standardDeviation = standardDeviation;
+  octave.toward_deg = toward_deg;
+  if (kind == OctaveKind::perlin) {
+    octave.latticeSize = 100.0 / 3.0;
+    return octave;
+  }
+  octave.frequency = 1.0 / 7.0;
+  if (kind == OctaveKind::regular) octave.phase_deg = 10.0 / 3.0;
+  if (kind == OctaveKind::group) {
+    octave.bandwidth = 0.1 / 3.0;
+    octave.directionalWidth_deg = 70.0 / 3.0;
+  }
+  return octave;
+}
+
 FittedSeaState example() {
   FittedSeaState state;
-  state.octaves = {{OctaveKind::perlin, 0.1 + 1e-17, 100.0 / 3.0, 16.0},
-                   {OctaveKind::perlin, 1e-9, 12.5, 359.5}};
+  state.octaves = {entry(OctaveKind::perlin, 0.1 + 1e-17, 16.0), entry(OctaveKind::group, 1e-9, 359.5),
+                   entry(OctaveKind::regular, 0.3, 7.0)};
   state.provenance.source = "a file: with, odd #signs";
   state.provenance.recordTime = "2020-06-08T03:50Z";
   state.provenance.hm0Target = 1.1188494089912189;
@@ -25,8 +44,13 @@ TEST(SeaStateFile, ReadsBackTheNumbersThatWereWritten) {
   const TempFolder folder;
   writeSeaState(folder / "sea.yaml", example());
   const FittedSeaState read = loadSeaState(folder / "sea.yaml");
-  ASSERT_EQ(read.octaves.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) {
+  ASSERT_EQ(read.octaves.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.octaves[i].kind, example().octaves[i].kind);
+    EXPECT_EQ(read.octaves[i].frequency, example().octaves[i].frequency);
+    EXPECT_EQ(read.octaves[i].bandwidth, example().octaves[i].bandwidth);
+    EXPECT_EQ(read.octaves[i].directionalWidth_deg, example().octaves[i].directionalWidth_deg);
+    EXPECT_EQ(read.octaves[i].phase_deg, example().octaves[i].phase_deg);
     EXPECT_EQ(read.octaves[i].standardDeviation, example().octaves[i].standardDeviation);
     EXPECT_EQ(read.octaves[i].latticeSize, example().octaves[i].latticeSize);
     EXPECT_EQ(read.octaves[i].toward_deg, example().octaves[i].toward_deg);
@@ -44,8 +68,37 @@ TEST(SeaStateFile, LeavesNoTraceOfTheFileBesideIt) {
 
 TEST(SeaStateFile, OctavesDriftWhereTheCompassSays) {
   FittedSeaState state;
-  state.octaves = {{OctaveKind::perlin, 1.0, 10.0, 90.0}};  // to the east
+  state.octaves = {entry(OctaveKind::perlin, 1.0, 90.0)};  // to the east
   EXPECT_NEAR(octavesOf(state, 100.0)[0].toward, 0.0, 1e-12);
+}
+
+TEST(SeaStateFile, OctavesComeBackFromTheirEntriesAtAnyDepth) {
+  for (const double depth : {5.0, 1e9}) {
+    FittedSeaState state;
+    for (const OctaveEntry& octave : example().octaves) state.octaves.push_back(octave);
+    for (const Octave& octave : octavesOf(state, depth)) {
+      FittedSeaState again;
+      again.octaves = {entryOf(octave, depth)};
+      const Octave back = octavesOf(again, depth).front();
+      EXPECT_NEAR(back.waveNumber, octave.waveNumber, 1e-12 * octave.waveNumber);
+      EXPECT_NEAR(back.lengthAlong, octave.lengthAlong, 1e-12 * octave.lengthAlong);
+      EXPECT_NEAR(back.lengthAcross, octave.lengthAcross, 1e-12 * octave.lengthAcross);
+      EXPECT_EQ(back.latticeSize, octave.latticeSize);
+      EXPECT_NEAR(back.phase, octave.phase, 1e-14);
+    }
+  }
+}
+
+TEST(SeaStateFileHard, AnOctaveNeedsTheKeysOfItsKindAndNoOthers) {
+  const TempFolder folder;
+  const auto messageOf = [&](const std::string& octave) {
+    const auto path = folder.write("sea.yaml", "octaves:\n  - {" + octave + "}\n");
+    return inputErrorOf([&] { loadSeaState(path); });
+  };
+  EXPECT_NE(messageOf("kind: group, standard_deviation_m: 1, toward_deg: 0, frequency_hz: 0.1")
+                .find("a group octave needs key 'bandwidth_hz'"), std::string::npos);
+  EXPECT_NE(messageOf("kind: perlin, standard_deviation_m: 1, toward_deg: 0, lattice_m: 3, frequency_hz: 0.1")
+                .find("a perlin octave has no key 'frequency_hz'"), std::string::npos);
 }
 
 TEST(SeaStateFile, RefusesASeaWithoutEnergyAndBadValues) {
