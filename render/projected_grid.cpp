@@ -52,6 +52,16 @@ glm::mat4 reversedClipFromRelativeWorld(const Camera& camera) {
   return glm::mat4(clipFromEye * camera.eyeFromRelativeWorld());
 }
 
+/// Whether any ray of the picture goes above the horizontal: if one does, one at a corner does.
+bool seesAboveHorizon(const Camera& camera) {
+  const glm::dvec2 last = glm::dvec2(camera.size) - 0.5;
+  for (const glm::dvec2 pixel : {glm::dvec2(-0.5, -0.5), glm::dvec2(last.x, -0.5),
+                                 glm::dvec2(-0.5, last.y), last}) {
+    if (camera.rayThrough(pixel).z > 0.0) return true;
+  }
+  return false;
+}
+
 class ProjectedGridTechnique final : public RenderTechnique {
  public:
   ProjectedGridTechnique(HeadlessContext& context, const ProjectedGridOptions& options)
@@ -81,7 +91,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
     bool water = false, objects = false, underWater = false;
   };
   Drawn drawGeometry(const View& view, FrameStats& stats);
-  ShadingInput decideLight(const View& view);
+  ShadingInput decideLight(const View& view, const Drawn& drawn);
   void shade(const View& view, const Drawn& drawn, FrameStats& stats);
   void holdMemory(EffectLedger& effects) const;
 
@@ -180,14 +190,21 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   return drawn;
 }
 
-ShadingInput ProjectedGridTechnique::decideLight(const View& view) {
+ShadingInput ProjectedGridTechnique::decideLight(const View& view, const Drawn& drawn) {
   ShadingInput input;
   input.view = &view;
   input.sunDirection = glm::vec3(towardsSun(view.light));
   const bool sunIsUp = input.sunDirection.z > -0.01f;  // its disc is half a degree wide
-  input.sunIsOn = view.effects->decide(Effect::sun, sunIsUp,
-                                       sunIsUp ? "the sun is up" : "the sun is below the horizon");
-  if (view.effects->decide(Effect::sky, true, "the picture shows sky or its reflection")) {
+  const bool skyIsSeen = drawn.water || seesAboveHorizon(view.camera);
+  const bool sunIsSeen = sunIsUp && (skyIsSeen || drawn.objects);
+  input.sunIsOn = view.effects->decide(Effect::sun, sunIsSeen,
+                                       sunIsSeen ? "the sun is up"
+                                       : sunIsUp ? "nothing that it lights is in view"
+                                                 : "the sun is below the horizon");
+  const char* sky = drawn.water ? "water reflects it"
+                    : skyIsSeen ? "the camera sees above the horizon"
+                                : "nothing shows or reflects it";
+  if (view.effects->decide(Effect::sky, skyIsSeen, sky)) {
     if (!sky_) sky_.emplace();
     input.skyDome = sky_->dome();
   }
@@ -196,14 +213,18 @@ ShadingInput ProjectedGridTechnique::decideLight(const View& view) {
 
 void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameStats& stats) {
   glBindVertexArray(noVertices_);
-  ShadingInput input = decideLight(view);
+  ShadingInput input = decideLight(view, drawn);
   if (input.skyDome != 0) {
     timed(view, stats, "sky", Effect::sky, [&] { sky_->draw(input.sunDirection); });
   }
   input.waterIsOn = drawn.water;
   input.objectsAreOn = drawn.objects;
   input.cameraIsUnderWater = drawn.underWater;
-  timed(view, stats, "shading", drawn.water ? Effect::water : Effect::sky, [&] {
+  // What is shaded pays: nobody, where neither water nor sky is drawn.
+  const auto payer = drawn.water            ? std::optional(Effect::water)
+                     : input.skyDome != 0 ? std::optional(Effect::sky)
+                                          : std::nullopt;
+  timed(view, stats, "shading", payer, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);
   });

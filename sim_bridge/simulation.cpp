@@ -90,14 +90,13 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
     vessel.samplePoints(t, std::span(points_).subspan(from, vessel.sampleCount()));
     from += vessel.sampleCount();
   }
-  EffectTimer timer(ledger, Effect::waves);
-  if (ledger) {
-    const WaveField& waves = sea_->surface.waves();
-    ledger->decide(Effect::waves, waves.significantWaveHeight() > 0.0,
-                   waves.significantWaveHeight() > 0.0 ? "vessels ask for the water under them"
-                                                       : "flat water: the field has no octaves");
-    ledger->holdMemory(Effect::waves, waves.memoryBytes());
-  }
+  const WaveField& waves = sea_->surface.waves();
+  const bool anyWaves = waves.significantWaveHeight() > 0.0;
+  const bool charged = ledger && ledger->decide(Effect::waves, anyWaves,
+                                                anyWaves ? "vessels ask for the water under them"
+                                                         : "flat water: the field has no octaves");
+  if (charged) ledger->holdMemory(Effect::waves, waves.memoryBytes());
+  EffectTimer timer(charged ? ledger : nullptr, Effect::waves);
   sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
 }
 
@@ -110,7 +109,7 @@ void Simulation::advanceTo(double t, EffectLedger* ledger) {
   if (ledger) {
     moves = ledger->decide(Effect::vesselMotion, !vessels_.empty(),
                            vessels_.empty() ? "the scene has no vessel" : "the scene has vessels");
-    ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
+    if (moves) ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
                                                  samples_.size() * sizeof(SurfaceSample) +
                                                  vessels_.size() * sizeof(Vessel));
   }

@@ -5,7 +5,7 @@
 namespace seaway {
 
 /// Linear dispersion ω² = g k tanh(k d) and what follows from it. Depth in m, > 0 or infinite;
-/// wave number k in rad/m, > 0; ω in rad/s, > 0. (Airy waves; REFERENCE: "Wave theory".)
+/// wave number k in rad/m, > 0; ω in rad/s, > 0. (Airy waves.)
 
 inline constexpr double deepWater = std::numeric_limits<double>::infinity();
 

@@ -14,8 +14,12 @@ enum class SampleStatus : std::uint32_t {
   ok = 0,
   truncated = 1u << 0,   ///< octaves were left out, as the options allow; `error` says how much
   notFinite = 1u << 1,   ///< the point or the time was NaN or infinite; values are NaN
-  outOfRange = 1u << 2,  ///< farther from the anchor than the geodesy serves; values are NaN
+  outOfRange = 1u << 2,  ///< a place or time too far to be served; values are NaN. The field sets it
+                         ///< beyond WaveField::farthest and latest, geodetic queries beyond
+                         ///< Geodesy::usableRange
   noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
+  aboveSurface = 1u << 4,  ///< the point is in the air: no water motion there, NaN
+  belowBed = 1u << 5,      ///< the point is in the sea bed, or the bed has fallen dry: NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {

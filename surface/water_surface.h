@@ -31,7 +31,7 @@ class WaterSurface {
     return result;
   }
 
-  /// No height exceeds ± this, m.
+  /// See WaveField::heightBound.
   double heightBound() const { return waves_.heightBound(); }
 
  private:

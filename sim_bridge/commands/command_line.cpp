@@ -2,7 +2,9 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
+#include "sim_bridge/commands/buoy.h"
 #include "sim_bridge/commands/command.h"
 #include "sim_bridge/commands/cost.h"
 #include "sim_bridge/commands/explain.h"
@@ -19,7 +21,7 @@ namespace {
 // A new command is one line here.
 constexpr AddCommand commands[] = {
     addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
-    addExplainCommand, addCostCommand,  addSchemaCommand,
+    addExplainCommand, addCostCommand,  addBuoyCommand,   addSchemaCommand,
 };
 
 constexpr int failed = 1;
@@ -27,7 +29,11 @@ constexpr int badInput = 2;
 
 int runChosen(const ChosenCommand& chosen) {
   try {
-    return chosen();
+    const int status = chosen();
+    std::cout.flush();
+    if (std::cout) return status;
+    spdlog::error("standard output could not be written (disk full or closed?)");
+    return failed;
   } catch (const InputError& fault) {
     spdlog::error("{}", fault.what());
     return badInput;

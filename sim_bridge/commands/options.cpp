@@ -24,8 +24,20 @@ glm::ivec2 parseSize(const std::string& text) {
 }
 
 double requireTime(double time) {
-  requireInRange("--time", time, Range::atLeast(0.0), "s");
+  requireInRange("--time", time, Range::within(0.0, 1e9), "s");
   return time;
+}
+
+void overrideModel(Scene& scene, const std::string& model) {
+  if (model != "group" && model != "perlin") {
+    throw InputError("--model: '" + model + "' is not allowed; must be one of: group, perlin");
+  }
+  if (std::holds_alternative<FileState>(scene.sea.state) ||
+      std::holds_alternative<FittedSeaState>(scene.sea.state)) {
+    throw InputError(scene.file.string(), 0,
+                     "--model has no effect: key 'sea.state' lists the octaves themselves");
+  }
+  scene.sea.model = model == "group" ? OctaveKind::group : OctaveKind::perlin;
 }
 
 }  // namespace seaway::bridge

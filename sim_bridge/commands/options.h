@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "sim_bridge/scene/scene.h"
+
 namespace seaway::bridge {
 
 /// "640x480" as pixels. Throws InputError for anything else, and outside [1, 8192].
@@ -11,5 +13,9 @@ glm::ivec2 parseSize(const std::string& text);
 
 /// A time given with `--time`: finite, ≥ 0. Throws InputError.
 double requireTime(double time);
+
+/// Puts `--model` (group or perlin) in place of the scene's `sea.model`. Throws InputError for any
+/// other word, and where the scene lists its octaves, so that there is nothing to choose.
+void overrideModel(Scene& scene, const std::string& model);
 
 }  // namespace seaway::bridge

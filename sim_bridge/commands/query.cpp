@@ -10,6 +10,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/points_table.h"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr const char* resultColumns[] = {"height_m", "slope_x", "slope_y", "velocity_z_m_s",
                                          "error_m",  "bound_m", "status"};
+constexpr const char* orbitalColumns[] = {"orbital_u_m_s", "orbital_v_m_s", "orbital_w_m_s"};
 
 struct Point {
   glm::dvec2 position{0.0};  // sea plane, m
@@ -68,7 +70,7 @@ Point pointOf(const PointsTable& table, std::size_t row, const QueryOptions& opt
 
 // Rows of one time go through the surface together.
 std::vector<SurfaceSample> sampleAll(const std::vector<Point>& points, const WaterSurface& surface,
-                                     double tolerance) {
+                                     const SampleOptions& options) {
   std::map<double, std::vector<std::size_t>> rowsAt;
   std::vector<SurfaceSample> samples(points.size());
   const double nan = std::nan("");
@@ -90,7 +92,7 @@ std::vector<SurfaceSample> sampleAll(const std::vector<Point>& points, const Wat
     batch.clear();
     for (const std::size_t row : rows) batch.push_back(points[row].position);
     answers.resize(rows.size());
-    surface.sample(batch, time, answers, {tolerance});
+    surface.sample(batch, time, answers, options);
     for (std::size_t i = 0; i < rows.size(); ++i) samples[rows[i]] = answers[i];
   }
   return samples;
@@ -107,8 +109,8 @@ std::vector<double> numbersOf(const SurfaceSample& sample) {
           sample.verticalVelocity, sample.error,   sample.bound};
 }
 
-void writeCsv(const PointsTable& table, const std::vector<Answer>& answers, bool ellipsoidal,
-              std::ostream& out) {
+void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
+              const QueryOptions& options, std::ostream& out) {
   std::string text;
   for (const std::string& name : table.header) text += csvCell(name) + ",";
   const char* separator = "";
@@ -116,19 +118,25 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers, bool
     text += separator + std::string(name);
     separator = ",";
   }
-  text += ellipsoidal ? ",ellipsoidal_height_m\n" : "\n";
+  if (options.orbital) {
+    for (const char* name : orbitalColumns) text += "," + std::string(name);
+  }
+  text += options.ellipsoidal ? ",ellipsoidal_height_m\n" : "\n";
   for (std::size_t row = 0; row < answers.size(); ++row) {
     for (const std::string& cell : table.rows[row]) text += csvCell(cell) + ",";
     for (const double number : numbersOf(answers[row].sample)) text += numberText(number) + ",";
     text += statusText(answers[row].sample.status);
-    if (ellipsoidal) text += "," + numberText(answers[row].ellipsoidalHeight);
+    for (int i = 0; options.orbital && i < 3; ++i) {
+      text += "," + numberText(answers[row].sample.orbitalVelocity[i]);
+    }
+    if (options.ellipsoidal) text += "," + numberText(answers[row].ellipsoidalHeight);
     text += '\n';
   }
   out << text << std::flush;
 }
 
-void writeJson(const PointsTable& table, const std::vector<Answer>& answers, bool ellipsoidal,
-               std::ostream& out) {
+void writeJson(const PointsTable& table, const std::vector<Answer>& answers,
+               const QueryOptions& options, std::ostream& out) {
   nlohmann::ordered_json points = nlohmann::ordered_json::array();
   for (std::size_t row = 0; row < answers.size(); ++row) {
     nlohmann::ordered_json point;
@@ -147,7 +155,10 @@ void writeJson(const PointsTable& table, const std::vector<Answer>& answers, boo
     const std::vector<double> numbers = numbersOf(answers[row].sample);
     for (std::size_t i = 0; i < numbers.size(); ++i) point[resultColumns[i]] = numbers[i];
     point["status"] = statusText(answers[row].sample.status);
-    if (ellipsoidal) point["ellipsoidal_height_m"] = answers[row].ellipsoidalHeight;
+    for (int i = 0; options.orbital && i < 3; ++i) {
+      point[orbitalColumns[i]] = answers[row].sample.orbitalVelocity[i];
+    }
+    if (options.ellipsoidal) point["ellipsoidal_height_m"] = answers[row].ellipsoidalHeight;
     points.push_back(std::move(point));
   }
   out << nlohmann::ordered_json{{"points", std::move(points)}}.dump(2) << '\n';
@@ -167,13 +178,9 @@ PointsTable pointsTable(const QueryOptions& options, std::istream& in) {
   return readPoints(file, options.points);
 }
 
-void requireSound(const QueryOptions& options, const PointsTable& table) {
-  requireInRange("--tolerance", options.tolerance, Range::atLeast(0.0), "m");
-  if (options.time) requireTime(*options.time);
-  if (!options.time && table.columns.time < 0) {
-    throw InputError("--time is wanted, or a column t_s with each point's own time");
-  }
-  for (const char* name : resultColumns) {
+// Throws where a column that came in has the name of one that goes out.
+void requireNoneOf(std::span<const char* const> names, const PointsTable& table) {
+  for (const char* name : names) {
     if (std::find(table.header.begin(), table.header.end(), name) != table.header.end()) {
       throw InputError(table.source, 1,
                        std::string("column '") + name + "' would be written twice; rename it");
@@ -181,10 +188,22 @@ void requireSound(const QueryOptions& options, const PointsTable& table) {
   }
 }
 
+void requireSound(const QueryOptions& options, const PointsTable& table) {
+  requireInRange("--tolerance", options.tolerance, Range::atLeast(0.0), "m");
+  requireInRange("--cutoff", options.cutoff, Range::atLeast(0.0), "m");
+  if (options.time) requireTime(*options.time);
+  if (!options.time && table.columns.time < 0) {
+    throw InputError("--time is wanted, or a column t_s with each point's own time");
+  }
+  requireNoneOf(resultColumns, table);
+  if (options.orbital) requireNoneOf(orbitalColumns, table);
+}
+
 }  // namespace
 
 int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
-  const Scene scene = loadScene(options.scene);
+  Scene scene = loadScene(options.scene);
+  if (!options.model.empty()) overrideModel(scene, options.model);
   const PointsTable table = pointsTable(options, in);
   requireSound(options, table);
   const Sea sea = buildSea(scene);
@@ -196,7 +215,10 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
   if (options.ellipsoidal && !sea.level.hasGeoid()) {
     spdlog::warn("no geoid data: the geoid is taken to be the ellipsoid in ellipsoidal_height_m");
   }
-  const auto samples = sampleAll(points, sea.surface, options.tolerance);
+  const auto samples = sampleAll(points, sea.surface,
+                                 {.tolerance = options.tolerance,
+                                  .shortestWavelength = options.cutoff,
+                                  .orbitalVelocity = options.orbital});
   std::vector<Answer> answers(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     answers[i].sample = samples[i];
@@ -204,7 +226,7 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
       answers[i].ellipsoidalHeight = ellipsoidalHeight(sea, points[i], samples[i]);
     }
   }
-  (options.json ? writeJson : writeCsv)(table, answers, options.ellipsoidal, out);
+  (options.json ? writeJson : writeCsv)(table, answers, options, out);
   return 0;
 }
 
@@ -221,6 +243,14 @@ void addQueryCommand(CLI::App& app, ChosenCommand& chosen) {
       ->expected(1, -1);
   command->add_option("--tolerance", options->tolerance,
                       "height that may be left out, m, one standard deviation");
+  command->add_option("--cutoff", options->cutoff,
+                      "wavelength below which waves may be left out, m; for a hull, a quarter of "
+                      "its length");
+  command->add_option("--model", options->model,
+                      "kind of octaves, group or perlin (default: the scene's)");
+  command->add_flag("--orbital", options->orbital,
+                    "add orbital_u_m_s, orbital_v_m_s, orbital_w_m_s: velocity of the water at the "
+                    "surface, east, north, up");
   command->add_flag("--ellipsoidal", options->ellipsoidal,
                     "add ellipsoidal_height_m: of the surface above the WGS84 ellipsoid");
   command->add_flag("--json", options->json, "machine-readable");

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 
@@ -143,6 +144,19 @@ int runRun(const RunOptions& options, std::ostream& out) {
   return 0;
 }
 
+namespace {
+
+/// The library's own conversion clamps what does not fit.
+std::string fitsInteger(const std::string& text) {
+  std::int64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  const bool fits = read.ec == std::errc{} && read.ptr == end;
+  return fits ? "" : "'" + text + "' is not allowed; must be a whole number in [0, 2^63 - 1]";
+}
+
+}  // namespace
+
 void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("run", "Sail a scene: telemetry, camera frames, summary");
   auto options = std::make_shared<RunOptions>();
@@ -153,7 +167,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--fps", options->framesPerSecond,
                       "frames per simulated second, 0 for none (default: the scene's)");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
-  command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)");
+  command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
+      ->check(fitsInteger);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");

@@ -10,12 +10,28 @@
 
 namespace seaway::bridge {
 
-AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), beside_(path_) {
+namespace {
+
+/// What a link points to; the path itself where it is none.
+std::filesystem::path linkTarget(const std::filesystem::path& path) {
+  std::error_code fault;
+  const auto target = std::filesystem::canonical(path, fault);
+  return fault ? path : target;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path)
+    : path_(linkTarget(path)), beside_(path_) {
   beside_ += ".part" + std::to_string(getpid());
   std::error_code ignored;
+  if (path.empty()) throw InputError("a file name is wanted to write to; it is empty");
   if (path_.filename().empty() || std::filesystem::is_directory(path_, ignored)) {
     throw InputError(path_.string(), 0, "cannot be written: is a folder");
   }
+  const bool other = std::filesystem::exists(path_, ignored) &&
+                     !std::filesystem::is_regular_file(path_, ignored);
+  if (other) throw InputError(path_.string(), 0, "cannot be written: is not a regular file");
   errno = 0;
   stream_.open(beside_, std::ios::binary | std::ios::trunc);
   if (!stream_) {

@@ -3,7 +3,7 @@
 namespace seaway::bridge {
 
 /// Angle θ, rad in [−π, π], below which the part `quantile` of the spreading function
-/// D(θ) ∝ cos²ˢ(θ/2) lies (REFERENCE, "Wave theory").
+/// D(θ) ∝ cos²ˢ(θ/2) lies.
 ///
 /// `exponent` s ≥ 0.5; infinite gives 0. `quantile` in (0, 1). Bisection on a trapezoidal integral;
 /// error below 1e-3 rad (tests/sim_bridge/scene/directional_spread_test.cpp).

@@ -1,7 +1,9 @@
 #include "sim_bridge/vessel/box_hull.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "sim_bridge/output/number_text.h"
 #include "surface/constants.h"
 
 namespace seaway::bridge {
@@ -45,6 +47,9 @@ double BoxHull::pitchFrequency() const {
   return std::sqrt(standardGravity * longitudinalMetacentricHeight()) / pitchGyradius();
 }
 
+/// rad/s: a 1 mm cube of water's density heaves at 140.
+constexpr double fastestMotion = 1000.0;
+
 std::optional<std::string> BoxHull::fault() const {
   if (givenDraft.has_value() == givenMass.has_value()) {
     return "needs exactly one of draft_m and mass_kg";
@@ -57,6 +62,12 @@ std::optional<std::string> BoxHull::fault() const {
   if (least <= 0.0) {
     return "would capsize at rest: its metacentric height is " + metres(least) +
            "; lower centre_of_gravity_above_keel_m";
+  }
+  const double fastest = std::max({heaveFrequency(), rollFrequency(), pitchFrequency()});
+  if (!(fastest <= fastestMotion)) {
+    return "would move too fast to be integrated: its natural frequency is " +
+           numberText(fastest) + " rad/s, more than " + numberText(fastestMotion) +
+           "; raise its draft or gyradii";
   }
   return std::nullopt;
 }

@@ -32,7 +32,7 @@ struct BoxHull {
   double rollGyradius() const { return givenRollGyradius.value_or(0.35 * beam); }
   double pitchGyradius() const { return givenPitchGyradius.value_or(0.25 * length); }
 
-  /// Metacentric heights, m: KB + BM − KG, BM = B²/(12T) and L²/(12T). (REFERENCE, "Hydrostatics")
+  /// Metacentric heights, m: KB + BM − KG, BM = B²/(12T) and L²/(12T).
   double transverseMetacentricHeight() const;
   double longitudinalMetacentricHeight() const;
 

@@ -8,7 +8,7 @@
 namespace seaway {
 
 FieldAtTime::FieldAtTime(const WaveField& field, double t) : field_(&field), time_(t) {
-  if (!std::isfinite(t)) return;  // no section: `blank` marks every sample
+  if (!(std::abs(t) <= WaveField::latest)) return;  // no section: `blank` marks every sample
   sections_.resize(FieldSection::count(field.lists()));
   for (std::size_t s = 0; s < sections_.size(); ++s) sections_[s].prepare(field.lists(), s, t);
 }
@@ -23,15 +23,15 @@ void FieldAtTime::sample(std::span<const glm::dvec2> points, std::span<SurfaceSa
     for (const FieldSection& section : sections_) {
       section.addBatch(selection.kept, tile.x(), tile.y(), count, tile.sums());
     }
-    field_->finish(points.subspan(first, count), std::isfinite(time_), selection, tile,
+    field_->finish(points.subspan(first, count), time_, selection, tile,
                    out.subspan(first, count));
   }
 }
 
 SurfaceSample FieldAtTime::sample(glm::dvec2 point, const SampleOptions& options) const noexcept {
   const WaveField::Selection selection = field_->select(options);
-  SurfaceSample result = field_->blank(point, std::isfinite(time_), selection);
-  if (has(result.status, SampleStatus::notFinite)) return result;
+  SurfaceSample result = field_->blank(point, time_, selection);
+  if (std::isnan(result.height)) return result;
   float height = 0.0f, slopeX = 0.0f, slopeY = 0.0f, rate = 0.0f, orbitalX = 0.0f, orbitalY = 0.0f;
   const bool orbital = selection.orbital;
   const FieldSums sums{&height, &slopeX, &slopeY, &rate, orbital ? &orbitalX : nullptr,
@@ -65,8 +65,9 @@ void FieldAtTime::sample(std::span<const double> x, std::span<const double> y, c
     const auto copy = [&](const float* from, std::span<float> to) {
       if (to.empty()) return;
       for (std::size_t i = 0; i < count; ++i) {
-        const bool finite = (x[first + i] + y[first + i]) * 0.0 == 0.0 && !sections_.empty();
-        to[first + i] = finite ? from[i] : std::nanf("");
+        const bool served = std::abs(x[first + i]) <= WaveField::farthest &&
+                            std::abs(y[first + i]) <= WaveField::farthest && !sections_.empty();
+        to[first + i] = served ? from[i] : std::nanf("");
       }
     };
     copy(sums.height, out.height);

@@ -54,6 +54,7 @@ GroupOctave::GroupOctave(const Octave& octave, std::uint64_t sceneSeed, std::uin
   const std::uint64_t seed = mixSeed(sceneSeed ^ mixSeed(index));
   const glm::dvec2 forward = unitVector(octave.toward);
   const double k = octave.waveNumber;
+  direction_ = forward;
   orbitalVelocityPerHeight_ = forward * (angularFrequency_ / std::tanh(k * depth));
   turns_.gradient = forward * (k / (2.0 * pi));
   turns_.rate = -(angularFrequency_ + k * glm::dot(forward, current)) / (2.0 * pi);

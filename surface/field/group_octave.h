@@ -19,7 +19,7 @@ struct GroupAtTime {
   double amplitude = 0.0;          ///< m per unit of envelope
 };
 
-/// Reference evaluation of a group octave, double precision (DESIGN §3.2):
+/// Reference evaluation of a group octave, double precision:
 ///
 ///   η = a [A(ξ) cos ψ + B(ξ) sin ψ],  ψ = k·(x − Ut) − ωt + φ,
 ///   ξ = ((ê∥·(x − Ut) − c_g t)/ℓ∥ + o₁, ê⊥·(x − Ut)/ℓ⊥ + o₂),  ω² = gk tanh kd,  c_g = dω/dk.
@@ -45,6 +45,7 @@ class GroupOctave {
   /// Largest |η| in units of the standard deviation.
   double peakFactor() const;
 
+  glm::dvec2 direction() const { return direction_; }            ///< unit, where it goes
   double wavelength() const { return wavelength_; }  ///< of the carrier, m
   double angularFrequency() const { return angularFrequency_; }  ///< ω, rad/s, without current
   /// Horizontal orbital velocity at the surface per metre of height: ω coth kd along the wave, 1/s.
@@ -55,7 +56,7 @@ class GroupOctave {
   double standardDeviation_;
   double angularFrequency_;
   double wavelength_;
-  glm::dvec2 orbitalVelocityPerHeight_;
+  glm::dvec2 direction_, orbitalVelocityPerHeight_;
   LinearCoordinate along_, across_, turns_;  // at t = 0, offsets not reduced
   LatticeSeeds seeds_;
 };

@@ -48,8 +48,7 @@ Octave makeRegularWave(double amplitude, double frequency, double toward, double
                        double depth = std::numeric_limits<double>::infinity());
 
 /// A Perlin octave that moves as the waves at its spectral peak do: it drifts at their phase speed
-/// and boils in half their period. (The kind has no dispersion of its own; TECHNIQUES, "Perlin
-/// octaves as a sea".)
+/// and boils in half their period. (The kind has no dispersion of its own.)
 ///
 /// `standardDeviation` m ≥ 0, `latticeSize` m > 0, `toward` rad, `depth` m > 0 or infinite.
 Octave makePerlinOctave(double standardDeviation, double latticeSize, double toward,

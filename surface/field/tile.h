@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -17,8 +18,7 @@ class Tile {
  public:
   explicit Tile(bool orbital) : orbital_(orbital) {}
 
-  /// Takes points (those that are not finite as 0: the caller marks their results) and clears the
-  /// sums.
+  /// Takes points and clears the sums.
   void load(std::span<const glm::dvec2> points) noexcept {
     for (std::size_t i = 0; i < points.size(); ++i) put(i, points[i].x, points[i].y);
     pad(points.size());
@@ -49,10 +49,10 @@ class Tile {
 
  private:
   void put(std::size_t i, double x, double y) noexcept {
-    // 0·x is NaN where x is not finite.
-    const bool finite = x * 0.0 == 0.0 && y * 0.0 == 0.0;
-    x_[i] = finite ? x : 0.0;
-    y_[i] = finite ? y : 0.0;
+    // Points that are not served are taken as 0: the caller marks their results.
+    const bool served = std::abs(x) <= 1e12 && std::abs(y) <= 1e12;
+    x_[i] = served ? x : 0.0;
+    y_[i] = served ? y : 0.0;
   }
   void pad(std::size_t count) noexcept {
     const std::size_t padded = (count + 15) / 16 * 16;

@@ -49,7 +49,10 @@ void check(const std::vector<Octave>& octaves, const WaveFieldSettings& settings
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool isFinite(glm::dvec2 point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+bool isServed(double t) { return std::abs(t) <= WaveField::latest; }
+bool isServed(glm::dvec2 point) {
+  return std::abs(point.x) <= WaveField::farthest && std::abs(point.y) <= WaveField::farthest;
+}
 
 /// Rounding of a kernel's float arithmetic relative to an octave's standard deviation: fractions of
 /// cells and turns carry 2⁻²⁵ and cost up to 2π per turn; polynomials err by 5e-7; sums add a few
@@ -135,26 +138,27 @@ double WaveField::bound(double reach) const noexcept {
   return floatBound_ + boundPerMetre_ * (1.0 + reach);
 }
 
-SurfaceSample WaveField::blank(glm::dvec2 point, bool timeIsFinite,
+SurfaceSample WaveField::blank(glm::dvec2 point, double t,
                                const Selection& selection) const noexcept {
   SurfaceSample sample;
-  if (timeIsFinite && isFinite(point)) {
+  if (isServed(t) && isServed(point)) {
     sample.error = selection.error;
     sample.status = selection.status;
     return sample;
   }
   sample.height = sample.slope.x = sample.slope.y = sample.verticalVelocity = nan;
   sample.error = sample.bound = nan;
-  sample.status = SampleStatus::notFinite;
+  const bool finite = std::isfinite(t) && std::isfinite(point.x) && std::isfinite(point.y);
+  sample.status = finite ? SampleStatus::outOfRange : SampleStatus::notFinite;
   return sample;
 }
 
-void WaveField::finish(std::span<const glm::dvec2> points, bool timeIsFinite,
+void WaveField::finish(std::span<const glm::dvec2> points, double t,
                        const Selection& selection, const Tile& tile,
                        std::span<SurfaceSample> out) const noexcept {
   for (std::size_t p = 0; p < points.size(); ++p) {
-    SurfaceSample sample = blank(points[p], timeIsFinite, selection);
-    if (!has(sample.status, SampleStatus::notFinite)) {
+    SurfaceSample sample = blank(points[p], t, selection);
+    if (!std::isnan(sample.height)) {
       tile.store(p, settings_.current, sample);
       sample.bound = bound(glm::length(points[p]));
     }
@@ -165,19 +169,18 @@ void WaveField::finish(std::span<const glm::dvec2> points, bool timeIsFinite,
 void WaveField::sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
                        const SampleOptions& options) const noexcept {
   const Selection selection = select(options);
-  const bool timeIsFinite = std::isfinite(t);
-  const std::size_t sections = FieldSection::count(lists());
+  const std::size_t sections = isServed(t) ? FieldSection::count(lists()) : 0;
   FieldSection section;
-  if (timeIsFinite) section.prepare(lists(), 0, t);
+  if (sections > 0) section.prepare(lists(), 0, t);
   Tile tile(selection.orbital);
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
     tile.load(points.subspan(first, count));
-    for (std::size_t s = 0; timeIsFinite && s < sections; ++s) {
+    for (std::size_t s = 0; s < sections; ++s) {
       if (sections > 1) section.prepare(lists(), s, t);
       section.addBatch(selection.kept, tile.x(), tile.y(), count, tile.sums());
     }
-    finish(points.subspan(first, count), timeIsFinite, selection, tile, out.subspan(first, count));
+    finish(points.subspan(first, count), t, selection, tile, out.subspan(first, count));
   }
 }
 
@@ -187,20 +190,19 @@ void WaveField::sampleReference(std::span<const glm::dvec2> points, double t,
                                 std::span<SurfaceSample> out,
                                 const SampleOptions& options) const noexcept {
   const Selection selection = select(options);
-  const bool timeIsFinite = std::isfinite(t);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    out[p] = blank(points[p], timeIsFinite, selection);
-    const bool defined = selection.orbital && out[p].status != SampleStatus::notFinite &&
+    out[p] = blank(points[p], t, selection);
+    const bool defined = selection.orbital && !std::isnan(out[p].height) &&
                          !has(out[p].status, SampleStatus::noKinematics);
     if (defined) out[p].orbitalVelocity = glm::dvec3(0.0);
   }
-  if (!timeIsFinite) return;
+  if (!isServed(t)) return;
   const auto add = [&](const auto& octave, glm::dvec2 orbitalPerHeight) {
     if (static_cast<float>(octave.wavelength()) < selection.kept.shortestWavelength) return;
     const auto time = octave.at(t);
     for (std::size_t p = 0; p < points.size(); ++p) {
       SurfaceSample& sample = out[p];
-      if (has(sample.status, SampleStatus::notFinite)) continue;
+      if (std::isnan(sample.height)) continue;
       const OctaveSample part = octave.sample(points[p], time);
       sample.height += part.height;
       sample.slope += part.slope;

@@ -35,6 +35,9 @@ class WaveField {
   /// Throws InputError for an octave or setting outside the ranges stated beside it.
   explicit WaveField(std::vector<Octave> octaves, const WaveFieldSettings& settings = {});
 
+  static constexpr double farthest = 1e12;  ///< m, along each axis of the sea plane
+  static constexpr double latest = 1e12;    ///< s, either side of the epoch
+
   std::span<const Octave> octaves() const { return octaves_; }
   const WaveFieldSettings& settings() const { return settings_; }
 
@@ -48,13 +51,14 @@ class WaveField {
   /// Standard deviation of all octaves after the first `kept`, m.
   double leftOut(std::size_t kept) const { return leftOut_[kept]; }
 
-  /// No height exceeds ± this, m: the smaller of 5.5 standard deviations (passed by fewer than one
-  /// height in 10⁷ of a Gaussian sea) and the sum of the octaves' own bounds.
+  /// Heights stay within ± this, m, but for fewer than one in 10⁷: the smaller of 5.5 standard
+  /// deviations of a Gaussian sea and the sum of the octaves' own bounds, which nothing passes.
   double heightBound() const { return heightBound_; }
 
   /// Heights, slopes, ∂η/∂t, error, bound and status at `points` (m, sea plane) and time `t` (s
   /// since the scene's epoch). `out` has at least the size of `points`. A point that is not finite
-  /// gets NaN and `notFinite`; the others are unharmed.
+  /// gets NaN and `notFinite`, one beyond `farthest` or a time beyond `latest` NaN and
+  /// `outOfRange`; the others are unharmed. A tolerance that is not above 0 asks for everything.
   ///
   /// Coordinates are reduced in double, the rest is float in vectors of points: `bound` covers
   /// both (tests/surface/field_kernels_test.cpp). Many queries of few points at one time are
@@ -73,12 +77,14 @@ class WaveField {
   /// Largest numerical error of a height from `sample` at distance |point| ≤ `reach` m, m.
   double bound(double reach) const noexcept;
 
+  /// The octaves' reference evaluators by kind, each in order of falling standard deviation.
+  OctaveLists lists() const { return {groups_, perlins_, regulars_}; }
+
   std::size_t memoryBytes() const;
 
  private:
   friend class FieldAtTime;
 
-  OctaveLists lists() const { return {groups_, perlins_, regulars_}; }
   /// What some options leave of the field, and what every valid sample says of it.
   struct Selection {
     KeptOctaves kept;
@@ -87,8 +93,8 @@ class WaveField {
     bool orbital = false;
   };
   Selection select(const SampleOptions& options) const noexcept;
-  SurfaceSample blank(glm::dvec2 point, bool timeIsFinite, const Selection& selection) const noexcept;
-  void finish(std::span<const glm::dvec2> points, bool timeIsFinite, const Selection& selection,
+  SurfaceSample blank(glm::dvec2 point, double t, const Selection& selection) const noexcept;
+  void finish(std::span<const glm::dvec2> points, double t, const Selection& selection,
               const Tile& tile, std::span<SurfaceSample> out) const noexcept;
 
   std::vector<Octave> octaves_;

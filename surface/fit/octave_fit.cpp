@@ -126,7 +126,9 @@ Trial bestPerlin(const GriddedTarget& target, const OctaveFitOptions& options) {
 }
 
 /// Centres crowd where the target is high (quantiles of a power of it); widths are a multiple of
-/// the room to their neighbours. The best of a few powers and multiples is kept.
+/// the room to their neighbours. The best of a few powers and multiples is kept. Wider octaves would
+/// follow S(f) still closer, but short ones then leak into the peak with wave numbers that are not
+/// the peak's: slopes and spread go wrong while the residual looks right.
 Trial bestGroup(const GriddedTarget& target, const OctaveFitOptions& options) {
   std::vector<Trial> trials;
   for (const double power : {0.35, 0.5, 0.65}) {

@@ -117,6 +117,11 @@ std::vector<SpectrumRecord> readNdbcSpectralDensity(const std::filesystem::path&
     const std::size_t start = line.find_first_not_of(" \t\r");
     if (start == std::string::npos || line[start] == '#') continue;
     records.push_back(parseRecord(line, place));
+    const auto bins = [](const SpectrumRecord& r) { return r.spectrum.frequency.size() + r.missingBins; };
+    if (bins(records.back()) != bins(records.front())) {
+      place.fail("has " + std::to_string(bins(records.back())) + " frequencies where the first record has " +
+                 std::to_string(bins(records.front())));
+    }
   }
   place.line = 0;
   if (records.empty()) place.fail("holds no spectrum");

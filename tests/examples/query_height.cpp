@@ -10,7 +10,7 @@
 int main() {
   using namespace seaway;
   const Geodesy geodesy({28.878, -78.467, 0.0});  // the scene's anchor
-  const OctaveFit fit = fitPerlinOctaves(jonswap({1.12, 5.6, 3.3}));
+  const OctaveFit fit = fitGroupOctaves(jonswap({1.12, 5.6, 3.3}));
   if (!fit.summary.usable) return 1;
   const WaterSurface water{WaveField(fit.octaves, {.seed = 7})};
 

@@ -10,7 +10,7 @@ namespace seaway::render {
 namespace {
 
 TEST(Curvature, HorizonDistancesAgreeWithPublishedOnes) {
-  // REFERENCE.md, Optics; given to three or four digits.
+  // acos(R/(R + h)) for R = 6371 km, given to three or four digits.
   EXPECT_NEAR(horizonDistance(2.0), 5.05e3, 5.0);
   EXPECT_NEAR(horizonDistance(10.0), 11.3e3, 50.0);
   EXPECT_NEAR(horizonDistance(100.0), 35.7e3, 50.0);

@@ -10,7 +10,7 @@ namespace seaway::render {
 namespace {
 
 TEST(Fresnel, AgreesWithPublishedValues) {
-  // REFERENCE.md, Optics.
+  // Closed forms: normal incidence ((n − 1)/(n + 1))², Brewster atan n, critical angle asin 1/n.
   EXPECT_NEAR(fresnelReflectance(1.0, 1.333), 0.0204, 5e-5);
   EXPECT_NEAR(fresnelReflectance(1.0, 1.34), 0.0211, 5e-5);
   EXPECT_NEAR(fresnelReflectance(0.0, 1.34), 1.0, 1e-12);

@@ -52,7 +52,7 @@ TEST(Geodesy, StatedScaleErrorIsWhatShortLinesShow) {
   double metres;
   GeographicLib::Geodesic::WGS84().Inverse(a.latitude_deg, a.longitude_deg, b.latitude_deg, b.longitude_deg, metres);
   EXPECT_NEAR(1000.0 / metres - 1.0, geodesy.describe(point).scaleError, 1e-8);
-  // DESIGN §4: at most 5e-4 within 200 km.
+  // Asked: at most 5e-4 within 200 km.
   EXPECT_LT(geodesy.describe(200e3 * unitVector(0.3)).scaleError, 1.7e-4);
 }
 
@@ -65,7 +65,7 @@ TEST(Geodesy, TrueHeadingsTurnAgainstTheGridAwayFromTheAnchor) {
   const glm::dvec2 moved = glm::normalize(north.position - east);
   const double direction = geodesy.directionFromTrueHeading(east, 0.0);
   EXPECT_NEAR(glm::dot(moved, unitVector(direction)), 1.0, 1e-9);
-  // DESIGN §4: grid convergence is 2.3° at 150 km, 60° N.
+  // Meridian convergence: grid convergence is 2.3° at 150 km, 60° N.
   EXPECT_NEAR(std::abs(degreesFromRadians(geodesy.describe(east).convergence)), 2.3, 0.05);
   EXPECT_NEAR(geodesy.trueHeadingFromDirection(east, direction), 0.0, 1e-9);
   EXPECT_NEAR(geodesy.trueHeadingFromDirection(east, geodesy.directionFromTrueHeading(east, 211.0)), 211.0, 1e-9);

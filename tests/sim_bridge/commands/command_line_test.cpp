@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/sim_bridge/test_support.h"
@@ -8,6 +10,7 @@ namespace seaway::bridge {
 namespace {
 
 using test::seaway;
+using test::TempFolder;
 
 TEST(CommandLine, EverySubcommandHasHelpWithAnExample) {
   for (const char* command : {"run", "query", "render", "fit", "explain", "cost", "schema"}) {
@@ -72,6 +75,21 @@ TEST(CommandLine, SchemaAsJsonListsKeysWithUnitAndRange) {
     }
   }
   EXPECT_TRUE(found);
+}
+
+TEST(ExplainCommand, WhatIsOffCostsNothing) {
+  const TempFolder folder;
+  const auto scene = test::writeScene(folder);
+  std::ofstream(scene, std::ios::app)
+      << "effects: {waves: off, vessel_motion: off, water: off, sky: off, sun: off, vessel_meshes: off}\n";
+  const auto outcome = seaway({"explain", scene.string(), "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const auto& effect : report["effects"]) {
+    EXPECT_EQ(effect["state"], "off") << effect["name"];
+    EXPECT_EQ(effect["memory_bytes"], 0) << effect["name"];
+    EXPECT_EQ(effect["cost_us"], 0.0) << effect["name"];
+  }
 }
 
 }  // namespace

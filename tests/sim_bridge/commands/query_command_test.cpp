@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -117,6 +118,86 @@ TEST(QueryCommand, ToleranceLeavesOctavesOutAndSaysSo) {
   EXPECT_EQ(row.back(), "truncated");
   EXPECT_GT(number(row[6]), 0.0);
   EXPECT_LE(number(row[6]), 0.05);
+}
+
+TEST(QueryCommand, OrbitalVelocitiesFollowTheStatusAndAreTheSurfacesOwn) {
+  const TempFolder folder;
+  const Sea sea = buildSea(loadScene(writeScene(folder)));
+  QueryOptions options;
+  options.time = 3.25;
+  options.points = "-";
+  options.orbital = true;
+  const auto rows = cells(ask(options, "x_m,y_m\n10.1,-20.7\nnan,0\n"));
+  const std::vector<std::string> added(rows[0].end() - 4, rows[0].end());
+  EXPECT_EQ(added, (std::vector<std::string>{"status", "orbital_u_m_s", "orbital_v_m_s",
+                                             "orbital_w_m_s"}));
+  const SurfaceSample sample =
+      sea.surface.sample({10.1, -20.7}, 3.25, {.orbitalVelocity = true});
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(number(rows[1][rows[1].size() - 3 + static_cast<std::size_t>(i)]),
+              sample.orbitalVelocity[i]);
+  }
+  EXPECT_EQ(number(rows[1].back()), sample.verticalVelocity);  // no current: w = ∂η/∂t
+  EXPECT_EQ(rows[2].back(), "nan");
+  options.json = true;
+  const auto json = nlohmann::json::parse(ask(options, "x_m,y_m\n10.1,-20.7\n"));
+  EXPECT_EQ(json["points"][0]["orbital_u_m_s"].get<double>(), sample.orbitalVelocity.x);
+  EXPECT_EQ(json["points"][0]["orbital_w_m_s"].get<double>(), sample.orbitalVelocity.z);
+}
+
+TEST(QueryCommand, ModelOverridesTheScenesKindOfOctaves) {
+  const TempFolder folder;
+  Scene scene = loadScene(writeScene(folder));
+  scene.sea.model = OctaveKind::perlin;
+  const SurfaceSample perlin = buildSea(scene).surface.sample({10.1, -20.7}, 3.25);
+  QueryOptions options;
+  options.time = 3.25;
+  options.points = "-";
+  const std::string point = "x_m,y_m\n10.1,-20.7\n";
+  const auto standard = cells(ask(options, point));
+  options.model = "group";
+  EXPECT_EQ(cells(ask(options, point)), standard);
+  options.model = "perlin";
+  options.orbital = true;
+  const auto row = cells(ask(options, point))[1];
+  EXPECT_EQ(number(row[2]), perlin.height);
+  EXPECT_EQ(row[8], "no_kinematics");
+  EXPECT_EQ(row.back(), "nan");
+}
+
+TEST(QueryCommand, CutoffLeavesOutTheShortWavesAndSaysSo) {
+  const TempFolder folder;
+  const Sea sea = buildSea(loadScene(writeScene(folder)));
+  QueryOptions options;
+  options.time = 1.0;
+  options.points = "-";
+  options.cutoff = 10.0;
+  const auto row = cells(ask(options, "x_m,y_m\n10.1,-20.7\n"))[1];
+  EXPECT_EQ(row[8], "truncated");
+  double leftOut = 0.0;
+  for (const Octave& octave : sea.surface.waves().octaves()) {
+    if (dominantWavelength(octave) >= 10.0) continue;
+    leftOut += octave.standardDeviation * octave.standardDeviation;
+  }
+  EXPECT_NEAR(number(row[6]), std::sqrt(leftOut), 1e-12);  // summed in another order
+}
+
+TEST(QueryCommandHard, BadCutoffsAndModelsAreRefused) {
+  const TempFolder folder;
+  const auto ask = [&](const std::string& scene, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"query", scene, "--time", "0", "--at", "28.9,-78.4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto outcome = test::seaway(arguments);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    return outcome.err;
+  };
+  const std::string scene = writeScene(folder).string();
+  EXPECT_NE(ask(scene, {"--cutoff", "-1"}).find("--cutoff"), std::string::npos);
+  EXPECT_NE(ask(scene, {"--cutoff", "nan"}).find("--cutoff"), std::string::npos);
+  EXPECT_NE(ask(scene, {"--model", "fourier"}).find("group, perlin"), std::string::npos);
+  const std::string measured = std::string(SEAWAY_SOURCE_DIR) + "/configs/scenes/measured.yaml";
+  EXPECT_NE(ask(measured, {"--model", "group"}).find("'sea.state'"), std::string::npos);
 }
 
 TEST(QueryCommand, JsonHoldsTheSamePoints) {

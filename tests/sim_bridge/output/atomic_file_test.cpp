@@ -50,5 +50,19 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
   EXPECT_EQ(numberText(-INFINITY), "-inf");
 }
 
+TEST(AtomicFileHard, WritesThroughALinkAndRefusesWhatIsNoRegularFile) {
+  const TempFolder folder;
+  folder.write("real.txt", "old");
+  std::filesystem::create_symlink(folder / "real.txt", folder / "link.txt");
+  AtomicFile file(folder / "link.txt");
+  file.stream() << "new";
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(test::readFile(folder / "real.txt"), "new");
+  EXPECT_NE(test::inputErrorOf([] { AtomicFile device("/dev/null"); }).find("not a regular file"),
+            std::string::npos);
+  EXPECT_FALSE(test::inputErrorOf([] { AtomicFile nameless(""); }).empty());
+}
+
 }  // namespace
 }  // namespace seaway::bridge

@@ -120,7 +120,7 @@ TEST(Vessel, ReturnsToItsDraftWithinAThousandthWhenPushed) {
   EXPECT_NEAR(sailing.vessel.pose().pitch, 0.0, 1e-4);
 }
 
-// Linear theory without added mass (REFERENCE, "Hydrostatics"); 0.2 %: semi-implicit Euler at
+// Linear theory without added mass; 0.2 %: semi-implicit Euler at
 // ω dt ≤ 0.1 errs by (ω dt)²/24 = 0.04 %, crossings by interpolation over 60 s; angles are small.
 TEST(Vessel, HeavesAtTheFrequencyOfItsWaterplane) {
   const BoxHull hull = undamped(launch());
