@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
+#include "surface/curvature.h"
 
 namespace seaway::render {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
+#include "surface/curvature.h"
 
 namespace seaway::render {
 namespace {

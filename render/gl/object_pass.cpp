@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
-#include "render/curvature.h"
+#include "surface/curvature.h"
 #include "render/gl/frame_targets.h"
 
 namespace seaway::render {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "render/headless_context.h"
-#include "render/sea_march.h"
+#include "surface/surface_ray.h"
 #include "render/unproject.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/scene_view.h"
@@ -23,7 +23,7 @@ std::vector<TruePixel> marchedPixels(const render::View& view, int stride) {
   for (int y = stride / 2; y < camera.size.y; y += stride) {
     for (int x = stride / 2; x < camera.size.x; x += stride) {
       const glm::dvec3 ray = camera.rayThrough(glm::dvec2(x, y));
-      const auto distance = render::distanceToWater(*view.water, view.time, camera.position, ray);
+      const auto distance = distanceToWater(*view.water, view.time, camera.position, ray);
       if (distance) pixels.push_back({{x, y}, *distance * glm::dot(ray, camera.forward())});
     }
   }

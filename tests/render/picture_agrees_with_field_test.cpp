@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "render/sea_march.h"
+#include "surface/surface_ray.h"
 #include "render/unproject.h"
 #include "tests/render/seas.h"
 

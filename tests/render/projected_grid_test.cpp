@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
-#include "render/sea_march.h"
+#include "surface/curvature.h"
+#include "surface/surface_ray.h"
 #include "surface/input_error.h"
 #include "tests/render/seas.h"
 

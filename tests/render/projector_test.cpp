@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
+#include "surface/curvature.h"
 #include "render/sea_grid.h"
-#include "render/sea_march.h"
+#include "surface/surface_ray.h"
 #include "render/visible_volume.h"
 #include "tests/render/seas.h"
 

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
+#include "surface/curvature.h"
 #include "tests/render/seas.h"
 
 namespace seaway::render {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -172,6 +173,32 @@ TEST_P(FieldKernels, PreparedQueriesAllocateNothing) {
   now.sample(points[0]);
   field.sample(points, 3.0, samples);
   EXPECT_EQ(test_support::allocationCount(), before);
+}
+
+/// Height, slope along x and rate of six octaves of a kind at one point and time.
+std::array<float, 3> pinnedSample(OctaveKind kind) {
+  std::vector<Octave> octaves;
+  for (int i = 0; i < 6; ++i) {
+    const double f = 0.08 + 0.02 * i, toward = 0.3 * i;
+    if (kind == OctaveKind::group) octaves.push_back(makeGroupOctave(0.1, f, 0.15 * f, toward, 0.5));
+    if (kind == OctaveKind::perlin) octaves.push_back(makePerlinOctave(0.1, 0.9 / (f * f), toward));
+    if (kind == OctaveKind::regular) octaves.push_back(makeRegularWave(0.1, f, toward, 0.1 * i));
+  }
+  const SurfaceSample sample = WaveField(octaves, {.seed = 7}).at(123.25).sample({1234.5, -678.25});
+  return {static_cast<float>(sample.height), static_cast<float>(sample.slope.x),
+          static_cast<float>(sample.verticalVelocity)};
+}
+
+TEST_P(FieldKernels, BitsArePinned) {
+  // A change of these numbers changes every user's sea. With fused multiply-add (AVX2, AVX-512) all
+  // machines agree; SSE4 has none and rounds otherwise.
+  using Bits = std::array<float, 3>;
+  const bool fused = std::string(GetParam()) != "SSE4";
+  EXPECT_EQ(pinnedSample(OctaveKind::group), fused ? (Bits{-0x1.3b85d2p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad8p-2f})
+                                                   : (Bits{-0x1.3b85c4p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad6p-2f}));
+  EXPECT_EQ(pinnedSample(OctaveKind::perlin), fused ? (Bits{-0x1.5ca5fp-3f, 0x1.534042p-8f, -0x1.04a3bep-3f})
+                                                    : (Bits{-0x1.5ca5f4p-3f, 0x1.53404p-8f, -0x1.04a3bap-3f}));
+  EXPECT_EQ(pinnedSample(OctaveKind::regular), (Bits{0x1.e7b334p-4f, -0x1.359fd2p-9f, -0x1.52b54p-7f}));
 }
 
 TEST(FieldKernelMemory, AnOctaveTakesAtMost256Bytes) {

@@ -5,6 +5,8 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 #include "surface/field/kernels/contributions-inl.h"
+#include "surface/field/kernels/group_stages-inl.h"
+#include "surface/field/kernels/perlin_contribution-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace seaway {
@@ -41,22 +43,21 @@ HWY_INLINE void StoreSums(const Contribution& result, const FieldSums& sums, std
 }
 
 /// Octaves are summed in quads, (a + b) + (c + d), quads one after the other: an order that octaves
-/// in lanes can follow. `contribute(read, x, y)` is what one octave adds.
-template <bool kOrbital, class Contribute>
+/// in lanes can follow. `stages.Prepare(octaves, x, y)` readies a vector of points, `stages(i)` is
+/// what octave i then adds.
+template <bool kOrbital, class Stages>
 HWY_INLINE void AddBatch(std::uint32_t octaves, const double* HWY_RESTRICT x,
                          const double* HWY_RESTRICT y, std::size_t count, const FieldSums& sums,
-                         Contribute contribute) {
+                         Stages& stages) {
   const std::size_t lanes = hn::Lanes(Floats());
   for (std::size_t at = 0; at < count; at += lanes) {
-    const DoublePair px = LoadPair(x + at), py = LoadPair(y + at);
+    stages.Prepare(octaves, LoadPair(x + at), LoadPair(y + at));
     Contribution total = LoadSums<kOrbital>(sums, at);
     Contribution firstPair = Nothing();
     std::size_t octave = 0;
     for (std::uint32_t left = octaves; left != 0; left >>= 2, octave += 2) {
-      const Contribution a =
-          (left & 1) != 0 ? contribute(ReadBroadcast{octave}, px, py) : Nothing();
-      const Contribution b =
-          (left & 2) != 0 ? contribute(ReadBroadcast{octave + 1}, px, py) : Nothing();
+      const Contribution a = (left & 1) != 0 ? stages(octave) : Nothing();
+      const Contribution b = (left & 2) != 0 ? stages(octave + 1) : Nothing();
       const Contribution pair = Plus<kOrbital>(a, b);
       const bool second = (octave & 2) != 0;
       if (second) total = Plus<kOrbital>(total, Plus<kOrbital>(firstPair, pair));
@@ -66,6 +67,21 @@ HWY_INLINE void AddBatch(std::uint32_t octaves, const double* HWY_RESTRICT x,
     StoreSums<kOrbital>(total, sums, at);
   }
 }
+
+/// Points in lanes without stages: each octave in one go.
+template <class Contribute>
+class Unstaged {
+ public:
+  explicit HWY_INLINE Unstaged(Contribute contribute) : contribute_(contribute) {}
+  HWY_INLINE void Prepare(std::uint32_t, DoublePair x, DoublePair y) { x_ = x, y_ = y; }
+  HWY_INLINE Contribution operator()(std::size_t octave) const {
+    return contribute_(ReadBroadcast{octave}, x_, y_);
+  }
+
+ private:
+  Contribute contribute_;
+  DoublePair x_, y_;
+};
 
 /// (a + b) + (c + d) of each quad of lanes, in all its lanes.
 HWY_INLINE VF QuadSums(VF v) {
@@ -103,15 +119,6 @@ HWY_INLINE void AddPoint(std::uint32_t octaves, double x, double y, const FieldS
 }
 
 template <bool kOrbital>
-struct GroupOf {
-  const GroupBlock& block;
-  template <class Read>
-  HWY_INLINE Contribution operator()(Read read, DoublePair x, DoublePair y) const {
-    return GroupContribution<kOrbital>(block, read, x, y);
-  }
-};
-
-template <bool kOrbital>
 struct RegularOf {
   const RegularBlock& block;
   template <class Read>
@@ -133,32 +140,37 @@ struct PerlinOf {
 void GroupBatch(const GroupBlock& block, std::uint32_t octaves, const double* x, const double* y,
                 std::size_t count, const FieldSums& sums) {
   if (sums.orbitalX) {
-    AddBatch<true>(octaves, x, y, count, sums, GroupOf<true>{block});
+    GroupStaged<true> stages(block);
+    AddBatch<true>(octaves, x, y, count, sums, stages);
   } else {
-    AddBatch<false>(octaves, x, y, count, sums, GroupOf<false>{block});
+    GroupStaged<false> stages(block);
+    AddBatch<false>(octaves, x, y, count, sums, stages);
   }
 }
 
 void RegularBatch(const RegularBlock& block, std::uint32_t octaves, const double* x, const double* y,
                   std::size_t count, const FieldSums& sums) {
   if (sums.orbitalX) {
-    AddBatch<true>(octaves, x, y, count, sums, RegularOf<true>{block});
+    Unstaged<RegularOf<true>> stages({block});
+    AddBatch<true>(octaves, x, y, count, sums, stages);
   } else {
-    AddBatch<false>(octaves, x, y, count, sums, RegularOf<false>{block});
+    Unstaged<RegularOf<false>> stages({block});
+    AddBatch<false>(octaves, x, y, count, sums, stages);
   }
 }
 
 void PerlinBatch(const PerlinBlock& block, std::uint32_t octaves, const double* x, const double* y,
                  std::size_t count, const FieldSums& sums) {
-  AddBatch<false>(octaves, x, y, count, sums, PerlinOf{block});
+  Unstaged<PerlinOf> stages({block});
+  AddBatch<false>(octaves, x, y, count, sums, stages);
 }
 
 void GroupPoint(const GroupBlock& block, std::uint32_t octaves, double x, double y,
                 const FieldSums& sums) {
   if (sums.orbitalX) {
-    AddPoint<true>(octaves, x, y, sums, GroupOf<true>{block});
+    AddPoint<true>(octaves, x, y, sums, GroupAtOnce<true>{block});
   } else {
-    AddPoint<false>(octaves, x, y, sums, GroupOf<false>{block});
+    AddPoint<false>(octaves, x, y, sums, GroupAtOnce<false>{block});
   }
 }
 

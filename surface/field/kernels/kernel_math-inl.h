@@ -90,20 +90,23 @@ HWY_INLINE VU PairDifferences(VU bytes) {
 #endif
 }
 
-/// The two envelope values of a corner times 2¹⁶: see GroupOctave.
+/// The two envelope values of a corner, packed in 16 bits each: see GroupOctave.
+HWY_INLINE VU PackedCorner(VU hash) {
+  const VU nibbles = hn::Set(Words(), 0x0F0F0F0Fu);
+  return PairDifferences(hn::Add(hn::And(hash, nibbles), hn::And(hn::ShiftRight<4>(hash), nibbles)));
+}
+
+/// The same times 2¹⁶, as floats.
 struct Corner {
   VF a, b;
 };
 
-HWY_INLINE Corner GroupCorner(VU hash) {
+HWY_INLINE Corner Unpacked(VU corner) {
   const Words w;
   const Ints i;
   const Floats f;
-  const VU nibbles = hn::Set(w, 0x0F0F0F0Fu);
-  const VU sums = hn::Add(hn::And(hash, nibbles), hn::And(hn::ShiftRight<4>(hash), nibbles));
-  const VU t = PairDifferences(sums);
-  return {hn::ConvertTo(f, hn::BitCast(i, hn::ShiftLeft<16>(t))),
-          hn::ConvertTo(f, hn::BitCast(i, hn::And(t, hn::Set(w, 0xFFFF0000u))))};
+  return {hn::ConvertTo(f, hn::BitCast(i, hn::ShiftLeft<16>(corner))),
+          hn::ConvertTo(f, hn::BitCast(i, hn::And(corner, hn::Set(w, 0xFFFF0000u))))};
 }
 
 /// c[0] + c[1] x + …, Horner.

@@ -1,4 +1,4 @@
-#include "render/curvature.h"
+#include "surface/curvature.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "surface/angles.h"
 
-namespace seaway::render {
+namespace seaway {
 namespace {
 
 TEST(Curvature, HorizonDistancesAgreeWithPublishedOnes) {
@@ -35,4 +35,4 @@ TEST(Curvature, CrestsShowBeyondTheHorizonOfStillWater) {
 }
 
 }  // namespace
-}  // namespace seaway::render
+}  // namespace seaway

@@ -1,22 +1,25 @@
-#include "render/sea_march.h"
+#include "surface/surface_ray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/band_limit.h"
-#include "render/curvature.h"
+#include "surface/constants.h"
 
-namespace seaway::render {
+namespace seaway {
 
 std::optional<double> distanceToWater(const WaterSurface& water, double time, glm::dvec3 origin,
-                                      glm::dvec3 direction, const MarchOptions& options) {
+                                      glm::dvec3 direction, const RayOptions& options) {
   const double level = glm::length(glm::dvec2(direction));
   const double bound = water.heightBound();
-  const double steepest = 6.0 * std::sqrt(BandLimit(water.waves()).totalSlope());
+  double meanSquare = 0.0;
+  for (const Octave& octave : water.waves().octaves()) meanSquare += meanSquareSlope(octave);
+  const double steepest = 6.0 * std::sqrt(meanSquare);
+  const double curvature = options.curved ? 1.0 / earthMeanRadius : 0.0;
 
   const auto aboveStillWater = [&](double distance) {
-    return origin.z + direction.z * distance + seaDrop(level * distance);
+    return origin.z + direction.z * distance +
+           0.5 * curvature * level * level * distance * distance;
   };
   const auto aboveWater = [&](double distance) {
     const glm::dvec2 point = glm::dvec2(origin) + glm::dvec2(direction) * distance;
@@ -30,7 +33,7 @@ std::optional<double> distanceToWater(const WaterSurface& water, double time, gl
   while (before < options.farDistance) {
     // Farther away than the highest crest, still water tells how far the next step may go.
     const double clear = side * aboveStillWater(before) - bound;
-    const double sinking = std::abs(direction.z) + level * level * before / earthMeanRadius + 1e-12;
+    const double sinking = std::abs(direction.z) + level * level * before * curvature + 1e-12;
     const double step = std::max(clear / sinking, side * height / (sinking + level * steepest));
     const double capped = std::min(step, options.farDistance);
     const double next = before + std::max({capped, options.leastStep * before, options.tolerance});
@@ -49,4 +52,4 @@ std::optional<double> distanceToWater(const WaterSurface& water, double time, gl
   return std::nullopt;
 }
 
-}  // namespace seaway::render
+}  // namespace seaway

@@ -1,18 +1,24 @@
-#include "render/sea_march.h"
+#include "surface/surface_ray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/curvature.h"
-#include "tests/render/seas.h"
+#include "surface/curvature.h"
+#include "surface/fit/octave_fit.h"
+#include "surface/spectra/families.h"
 
-namespace seaway::render {
+namespace seaway {
 namespace {
 
-TEST(SeaMarch, MeetsStillWaterWhereTheParaboloidIs) {
-  const WaterSurface still = test::stillSea();
+WaterSurface stillSea() { return WaterSurface(WaveField({})); }
+WaterSurface stormSea() {
+  return WaterSurface(WaveField(fitGroupOctaves(jonswap({9.0, 13.0, 3.3})).octaves));
+}
+
+TEST(SurfaceRay, MeetsStillWaterWhereTheParaboloidIs) {
+  const WaterSurface still = stillSea();
   for (const double slope : {0.01, 0.1, 1.0}) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.0, -slope));
     // −slope·d + h = −d²/2R, nearer root.
@@ -24,8 +30,15 @@ TEST(SeaMarch, MeetsStillWaterWhereTheParaboloidIs) {
   }
 }
 
-TEST(SeaMarch, RaysAboveTheHorizonMeetNoWater) {
-  const WaterSurface still = test::stillSea();
+TEST(SurfaceRay, InTheSeaPlaneTheSeaIsFlat) {
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.0, -0.001));
+  const auto found = distanceToWater(stillSea(), 0.0, {0, 0, 5}, direction, {.curved = false});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(*found * direction.x, 5000.0, 1e-3);
+}
+
+TEST(SurfaceRay, RaysAboveTheHorizonMeetNoWater) {
+  const WaterSurface still = stillSea();
   const double dip = std::sqrt(2.0 * 5.0 / earthMeanRadius);
   EXPECT_FALSE(distanceToWater(still, 0.0, {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, 0.1))));
   EXPECT_FALSE(
@@ -34,8 +47,8 @@ TEST(SeaMarch, RaysAboveTheHorizonMeetNoWater) {
       distanceToWater(still, 0.0, {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, -1.01 * dip))));
 }
 
-TEST(SeaMarch, PointsFoundLieOnTheSurfaceSeenFromAboveAndFromBelow) {
-  const WaterSurface storm = test::stormSea();
+TEST(SurfaceRay, PointsFoundLieOnTheSurfaceSeenFromAboveAndFromBelow) {
+  const WaterSurface storm = stormSea();
   for (int i = 0; i < 60; ++i) {
     const double pitch = -0.02 - 0.02 * (i / 2), side = i % 2 ? 1.0 : -1.0;
     const glm::dvec3 origin(13.0 * i, 5.0, side > 0 ? 14.0 : -14.0);
@@ -50,8 +63,8 @@ TEST(SeaMarch, PointsFoundLieOnTheSurfaceSeenFromAboveAndFromBelow) {
   }
 }
 
-TEST(SeaMarch, NoWaterLiesBeforeTheFirstPointFound) {
-  const WaterSurface storm = test::stormSea();
+TEST(SurfaceRay, NoWaterLiesBeforeTheFirstPointFound) {
+  const WaterSurface storm = stormSea();
   for (int i = 0; i < 40; ++i) {
     const glm::dvec3 origin(0.0, 50.0 * i, 13.0);
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.2, -0.015 * (i + 1)));
@@ -67,5 +80,12 @@ TEST(SeaMarch, NoWaterLiesBeforeTheFirstPointFound) {
   }
 }
 
+TEST(SurfaceRayHard, RaysThatAreNotFiniteMeetNothing) {
+  const WaterSurface still = stillSea();
+  EXPECT_FALSE(distanceToWater(still, 0.0, {NAN, 0, 5}, {0, 0, -1}));
+  EXPECT_FALSE(distanceToWater(still, 0.0, {0, 0, 5}, {NAN, 0, -1}));
+  EXPECT_FALSE(distanceToWater(still, NAN, {0, 0, 5}, {0, 0, -1}));
+}
+
 }  // namespace
-}  // namespace seaway::render
+}  // namespace seaway
