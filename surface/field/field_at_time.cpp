@@ -8,7 +8,7 @@
 namespace seaway {
 
 FieldAtTime::FieldAtTime(const WaveField& field, double t) : field_(&field), time_(t) {
-  if (!(std::abs(t) <= WaveField::latest)) return;  // no section: `blank` marks every sample
+  if (!field.serves({0.0, 0.0}, t)) return;  // no section: `blank` marks every sample
   sections_.resize(FieldSection::count(field.lists()));
   for (std::size_t s = 0; s < sections_.size(); ++s) sections_[s].prepare(field.lists(), s, t);
 }
@@ -62,12 +62,12 @@ void FieldAtTime::sample(std::span<const double> x, std::span<const double> y, c
     for (const FieldSection& section : sections_) {
       section.addBatch(kept, tile.x(), tile.y(), count, sums);
     }
+    const bool whole = tile.allServed() && !sections_.empty();
     const auto copy = [&](const float* from, std::span<float> to) {
       if (to.empty()) return;
-      for (std::size_t i = 0; i < count; ++i) {
-        const bool served = std::abs(x[first + i]) <= WaveField::farthest &&
-                            std::abs(y[first + i]) <= WaveField::farthest && !sections_.empty();
-        to[first + i] = served ? from[i] : std::nanf("");
+      std::copy(from, from + count, to.begin() + static_cast<std::ptrdiff_t>(first));
+      for (std::size_t i = 0; !whole && i < count; ++i) {
+        if (!field_->serves({x[first + i], y[first + i]}, time_)) to[first + i] = std::nanf("");
       }
     };
     copy(sums.height, out.height);

@@ -16,17 +16,25 @@ namespace seaway {
 /// kernels.
 class Tile {
  public:
+  /// Farthest point along each axis that is served, m.
+  static constexpr double farthest = 1e12;
+
   explicit Tile(bool orbital) : orbital_(orbital) {}
 
   /// Takes points and clears the sums.
   void load(std::span<const glm::dvec2> points) noexcept {
+    allServed_ = true;
     for (std::size_t i = 0; i < points.size(); ++i) put(i, points[i].x, points[i].y);
     pad(points.size());
   }
   void load(std::span<const double> x, std::span<const double> y) noexcept {
+    allServed_ = true;
     for (std::size_t i = 0; i < x.size(); ++i) put(i, x[i], y[i]);
     pad(x.size());
   }
+
+  /// Whether every point loaded is finite and within `farthest`.
+  bool allServed() const { return allServed_; }
 
   const double* x() const { return x_; }
   const double* y() const { return y_; }
@@ -50,9 +58,10 @@ class Tile {
  private:
   void put(std::size_t i, double x, double y) noexcept {
     // Points that are not served are taken as 0: the caller marks their results.
-    const bool served = std::abs(x) <= 1e12 && std::abs(y) <= 1e12;
+    const bool served = (std::abs(x) <= farthest) & (std::abs(y) <= farthest);
     x_[i] = served ? x : 0.0;
     y_[i] = served ? y : 0.0;
+    allServed_ &= served;
   }
   void pad(std::size_t count) noexcept {
     const std::size_t padded = (count + 15) / 16 * 16;
@@ -63,6 +72,7 @@ class Tile {
   }
 
   bool orbital_;
+  bool allServed_ = true;
   alignas(64) double x_[pointsPerTile];
   alignas(64) double y_[pointsPerTile];
   alignas(64) float height_[pointsPerTile];

@@ -49,11 +49,6 @@ void check(const std::vector<Octave>& octaves, const WaveFieldSettings& settings
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool isServed(double t) { return std::abs(t) <= WaveField::latest; }
-bool isServed(glm::dvec2 point) {
-  return std::abs(point.x) <= WaveField::farthest && std::abs(point.y) <= WaveField::farthest;
-}
-
 /// Rounding of a kernel's float arithmetic relative to an octave's standard deviation: fractions of
 /// cells and turns carry 2⁻²⁵ and cost up to 2π per turn; polynomials err by 5e-7; sums add a few
 /// roundings of the peak. Measured largest: tests/surface/field_kernels_test.cpp.
@@ -141,7 +136,7 @@ double WaveField::bound(double reach) const noexcept {
 SurfaceSample WaveField::blank(glm::dvec2 point, double t,
                                const Selection& selection) const noexcept {
   SurfaceSample sample;
-  if (isServed(t) && isServed(point)) {
+  if (serves(point, t)) {
     sample.error = selection.error;
     sample.status = selection.status;
     return sample;
@@ -169,7 +164,7 @@ void WaveField::finish(std::span<const glm::dvec2> points, double t,
 void WaveField::sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
                        const SampleOptions& options) const noexcept {
   const Selection selection = select(options);
-  const std::size_t sections = isServed(t) ? FieldSection::count(lists()) : 0;
+  const std::size_t sections = serves({0.0, 0.0}, t) ? FieldSection::count(lists()) : 0;
   FieldSection section;
   if (sections > 0) section.prepare(lists(), 0, t);
   Tile tile(selection.orbital);
@@ -196,7 +191,7 @@ void WaveField::sampleReference(std::span<const glm::dvec2> points, double t,
                          !has(out[p].status, SampleStatus::noKinematics);
     if (defined) out[p].orbitalVelocity = glm::dvec3(0.0);
   }
-  if (!isServed(t)) return;
+  if (!serves({0.0, 0.0}, t)) return;
   const auto add = [&](const auto& octave, glm::dvec2 orbitalPerHeight) {
     if (static_cast<float>(octave.wavelength()) < selection.kept.shortestWavelength) return;
     const auto time = octave.at(t);

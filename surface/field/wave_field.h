@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -37,6 +38,11 @@ class WaveField {
 
   static constexpr double farthest = 1e12;  ///< m, along each axis of the sea plane
   static constexpr double latest = 1e12;    ///< s, either side of the epoch
+
+  /// Whether place and time are finite and within those.
+  static bool serves(glm::dvec2 point, double t) {
+    return std::abs(point.x) <= farthest && std::abs(point.y) <= farthest && std::abs(t) <= latest;
+  }
 
   std::span<const Octave> octaves() const { return octaves_; }
   const WaveFieldSettings& settings() const { return settings_; }
