@@ -20,10 +20,11 @@ struct TruePixel {
 std::vector<TruePixel> marchedPixels(const render::View& view, int stride) {
   std::vector<TruePixel> pixels;
   const render::Camera& camera = view.camera;
+  const SurfaceAtTime now = view.water->at(view.time);
   for (int y = stride / 2; y < camera.size.y; y += stride) {
     for (int x = stride / 2; x < camera.size.x; x += stride) {
       const glm::dvec3 ray = camera.rayThrough(glm::dvec2(x, y));
-      const auto distance = distanceToWater(*view.water, view.time, camera.position, ray);
+      const auto distance = distanceToWater(now, camera.position, ray);
       if (distance) pixels.push_back({{x, y}, *distance * glm::dot(ray, camera.forward())});
     }
   }
