@@ -57,7 +57,7 @@ struct SampleOptions {
   /// Shortest waves wanted, m; ≥ 0. Octaves whose dominant wavelength is shorter are left out.
   double shortestWavelength = 0.0;
   /// Fill slope and ∂η/∂t; without them (and without `orbitalVelocity`, which needs them) they are
-  /// NaN and a sample costs about two thirds.
+  /// NaN and a sample is some 15 % cheaper.
   bool derivatives = true;
   bool orbitalVelocity = false;  ///< fill SurfaceSample::orbitalVelocity
   /// Handle of a vessel whose own waves are left out, 0 for none: a hull's wave-making is in its
