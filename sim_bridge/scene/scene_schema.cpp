@@ -34,7 +34,7 @@ Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
   std::vector<Field<P>> fields{
       number("hm0_m", &P::significantWaveHeight, "m", Range::above(0.0),
              "significant wave height H_m0, at most 1000", Need::required),
-      number("tp_s", &P::peakPeriod, "s", Range::above(0.0), "peak period, 0.01 to 10000",
+      number("tp_s", &P::peakPeriod, "s", Range::above(0.0), "peak period",
              Need::required),
       number("from_deg", &P::from_deg, "°", compass, "compass direction the waves come from",
              Need::required),
