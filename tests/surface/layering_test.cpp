@@ -21,7 +21,7 @@ const std::vector<Rule> rules = {
     {"ceres/", {"surface/fit/"}},
     {"GeographicLib/", {"surface/geodesy."}},
     {"openvdb/", {"surface/layers/"}},
-    {"fftw", {"surface/fft/"}},
+    {"fftw", {"surface/fft/", "sim_bridge/cost/rivals/"}},
     {"glad/", {"render/"}},
     {"GL/", {"render/"}},
     {"png.h", {"render/png.cpp"}},
