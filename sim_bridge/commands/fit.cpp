@@ -111,7 +111,7 @@ int runFit(const FitOptions& options, std::ostream& out) {
   const double from_deg = options.from_deg.value_or(0.0);
   requireInRange("--from-deg", from_deg, Range::within(-360.0, 360.0), "°");
   requireInRange("--depth", options.depth, Range::above(0.0).orInfinite(), "m");
-  const SpectrumSource source = 
+  const SpectrumSource source =
       spectrumFrom(options.spectrum, options.record, options.time, options.format);
   requireWritableFile(options.out);
   OctaveFitOptions fitOptions;
