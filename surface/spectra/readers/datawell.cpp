@@ -1,6 +1,5 @@
 #include <cmath>
 #include <filesystem>
-#include <regex>
 
 #include "surface/angles.h"
 #include "surface/spectra/readers/direction_grid.h"
@@ -18,13 +17,17 @@ namespace {
 constexpr int headerLines = 12;
 constexpr std::size_t bins = 64;
 
+/// The first YYYY-MM-DDThhhmm in the file's name; empty where there is none.
 std::string timeOf(const std::string& fileName) {
-  static const std::regex pattern(R"((\d{4})-(\d{2})-(\d{2})T(\d{2})[h:_](\d{2}))");
+  constexpr std::size_t length = 16;
   const std::string name = std::filesystem::path(fileName).filename().string();
-  std::smatch found;
-  if (!std::regex_search(name, found, pattern)) return "";
-  const auto field = [&](std::size_t i) { return std::stoi(found[i].str()); };
-  return isoTime(field(1), field(2), field(3), field(4), field(5)).value_or("");
+  for (std::size_t at = 0; at + length <= name.size(); ++at) {
+    std::string candidate = name.substr(at, length);
+    if (candidate[13] != 'h') continue;
+    candidate[13] = ':';
+    if (const auto moment = parseIsoTime(candidate)) return isoTime(*moment);
+  }
+  return "";
 }
 
 /// Circular skewness and kurtosis back to the centred second moments m₂ and n₂ (Kuik et al. 1988):
