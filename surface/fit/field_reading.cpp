@@ -28,8 +28,7 @@ FieldReading readField(std::span<const Octave> octaves, const std::vector<double
   places.frequency = frequency;
   for (const double f : frequency) places.waveNumber.push_back(waveNumber(2.0 * pi * f, depth));
   for (std::size_t d = 0; d < directions; ++d) {
-    places.direction.push_back(2.0 * pi * static_cast<double>(d) /
-                               static_cast<double>(directions));
+    places.direction.push_back(2.0 * pi * static_cast<double>(d) / static_cast<double>(directions));
   }
   places.grid.resize(frequency.size() * directions);
   fit::GroupCurves curves = fit::curvesOf(places, fit::stateOf(octaves, depth));
@@ -43,11 +42,12 @@ FieldReading readField(std::span<const Octave> octaves, const std::vector<double
     const fit::GroupReading<double>& r = curves.reading[p];
     const double mixed = std::sqrt(r.energy * r.slopes);
     spectrum.energy.density.push_back(r.energy);
-    spectrum.moments.push_back({r.east / mixed, r.north / mixed, r.difference / r.slopes,
-                                r.cross / r.slopes});
+    spectrum.moments.push_back(
+        {r.east / mixed, r.north / mixed, r.difference / r.slopes, r.cross / r.slopes});
     const double ratio = std::sqrt(r.slopes / r.energy);
     result.waveNumber.push_back(ratio * places.waveNumber[p]);
-    const double width = frequency[std::min(p + 1, frequency.size() - 1)] - frequency[p > 0 ? p - 1 : p];
+    const double width =
+        frequency[std::min(p + 1, frequency.size() - 1)] - frequency[p > 0 ? p - 1 : p];
     if (!(r.energy > 0.0)) continue;
     energy += width * r.energy;
     squares += width * r.energy * (ratio - 1.0) * (ratio - 1.0);

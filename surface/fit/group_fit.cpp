@@ -95,8 +95,8 @@ class GroupFitter {
     result.solution = add(result.solution, fit::solveGroups(sampled_, result.state, solve));
     if (!options_.freeShapes || !result.solution.solved) return result;
     revive(result.state);
-    // Rounded, so that starts that agree within the solver's tolerance go on alike: shapes have many
-    // minima close to each other, and the last digit would choose among them.
+    // Rounded, so that starts that agree within the solver's tolerance go on alike: shapes have
+    // many minima close to each other, and the last digit would choose among them.
     for (double& variance : result.state.variance) {
       variance = std::exp(0.1 * std::round(10.0 * std::log(variance)));
     }
@@ -182,8 +182,8 @@ void summarise(const DirectionalSpectrum& target, const OctaveFitOptions& option
   summary.usable = true;
   summary.iterations = solution.iterations;
   summary.cost = solution.cost;
-  summary.residualL2 = relativeL2(result.model.energy.density, judged.density, judged.weight,
-                                  judged.variance);
+  summary.residualL2 =
+      relativeL2(result.model.energy.density, judged.density, judged.weight, judged.variance);
   summary.waveNumberDeviation = reading.waveNumberDeviation;
   fit::summariseMoments(target.energy, result);
   summariseDirections(judged, result);

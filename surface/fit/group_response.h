@@ -40,10 +40,10 @@ struct GroupShape {
 /// one along its crests, likewise.
 template <typename T>
 struct GroupReading {
-  T energy;      // heave, C₁₁
-  T deviation;   // ((κ − 1)² + s⁴/4) C₁₁: mean square deviation of |k|
-  T slopes;      // (κ² + s²) C₁₁ = (C₂₂ + C₃₃)/k²
-  T east, north;        // κ cos θ C₁₁ = Q₁₂/k, κ sin θ C₁₁ = Q₁₃/k
+  T energy;       // heave, C₁₁
+  T deviation;    // ((κ − 1)² + s⁴/4) C₁₁: mean square deviation of |k|
+  T slopes;       // (κ² + s²) C₁₁ = (C₂₂ + C₃₃)/k²
+  T east, north;  // κ cos θ C₁₁ = Q₁₂/k, κ sin θ C₁₁ = Q₁₃/k
   T difference, cross;  // (κ² − s²) cos 2θ C₁₁ = (C₂₂ − C₃₃)/k², likewise 2C₂₃/k²
 };
 

@@ -66,12 +66,18 @@ enum class Channel { energy, deviation, east, north, difference, cross };
 template <typename T>
 const T& pick(const GroupReading<T>& reading, Channel channel) {
   switch (channel) {
-    case Channel::energy: return reading.energy;
-    case Channel::deviation: return reading.deviation;
-    case Channel::east: return reading.east;
-    case Channel::north: return reading.north;
-    case Channel::difference: return reading.difference;
-    case Channel::cross: return reading.cross;
+    case Channel::energy:
+      return reading.energy;
+    case Channel::deviation:
+      return reading.deviation;
+    case Channel::east:
+      return reading.east;
+    case Channel::north:
+      return reading.north;
+    case Channel::difference:
+      return reading.difference;
+    case Channel::cross:
+      return reading.cross;
   }
   return reading.energy;
 }
@@ -215,9 +221,8 @@ class GroupCost final : public ceres::CostFunction {
     for (std::size_t p = 0; p < points; ++p) {
       const double f = target_.frequency[p];
       if (!response.reaches(f)) continue;
-      const GroupReading<T> reading =
-          M == 2 ? response.undirected(f, target_.waveNumber[p])
-                 : response.at(f, target_.waveNumber[p]);
+      const GroupReading<T> reading = M == 2 ? response.undirected(f, target_.waveNumber[p])
+                                             : response.at(f, target_.waveNumber[p]);
       for (std::size_t c = 0; c < rows_.channels.size(); ++c) {
         addTo(c * points + p, pick(reading, rows_.channels[c].channel), rows_.channels[c].scale[p],
               into);
@@ -338,11 +343,10 @@ GroupCurves curvesOf(const GroupTarget& target, const GroupState& state) {
       if (!response.reaches(f)) continue;
       const GroupReading<double> reading = response.at(f, target.waveNumber[p]);
       GroupReading<double>& sum = curves.reading[p];
-      for (const auto part :
-           {&GroupReading<double>::energy, &GroupReading<double>::deviation,
-            &GroupReading<double>::slopes, &GroupReading<double>::east,
-            &GroupReading<double>::north, &GroupReading<double>::difference,
-            &GroupReading<double>::cross}) {
+      for (const auto part : {&GroupReading<double>::energy, &GroupReading<double>::deviation,
+                              &GroupReading<double>::slopes, &GroupReading<double>::east,
+                              &GroupReading<double>::north, &GroupReading<double>::difference,
+                              &GroupReading<double>::cross}) {
         sum.*part += variance * (reading.*part);
       }
       for (std::size_t d = 0; d < directions; ++d) {

@@ -12,9 +12,9 @@ namespace seaway::fit {
 
 /// What a solver may do to octaves.
 struct GroupLimits {
-  double lowest = 0.0, highest = 0.0;  // centres, Hz
+  double lowest = 0.0, highest = 0.0;     // centres, Hz
   double narrowest = 0.03, widest = 0.8;  // bandwidth over centre
-  double sharpest = 0.1, broadest = 0.5;   // directional width, rad: wider lengthens |k| by 2 %
+  double sharpest = 0.1, broadest = 0.5;  // directional width, rad: wider lengthens |k| by 2 %
 };
 
 /// Octaves of a fit, of variances relative to the target's.
@@ -28,8 +28,8 @@ struct GroupState {
 
 struct GroupSolveOptions {
   GroupLimits limits;
-  bool freeShapes = true;      // centres and bandwidths
-  bool freeDirections = false; // and directions and directional widths
+  bool freeShapes = true;       // centres and bandwidths
+  bool freeDirections = false;  // and directions and directional widths
   double tailWeight = 0.02;
   double deviationWeight = 1.0;
   double directionWeight = 1.5;

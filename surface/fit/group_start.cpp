@@ -62,16 +62,16 @@ void setDirection(const GroupTarget& target, const GroupLayout& layout, std::siz
     const double share = (static_cast<double>(lane) + 0.5) / static_cast<double>(lanes);
     shape.toward = gridDirection(target, shape.frequency, share);
     const double spread = lean ? lean->spread : 0.5;
-    shape.directionalWidth = std::clamp(2.4 * spread / static_cast<double>(lanes),
-                                        limits.sharpest, limits.broadest);
+    shape.directionalWidth =
+        std::clamp(2.4 * spread / static_cast<double>(lanes), limits.sharpest, limits.broadest);
     return;
   }
   if (!lean) return;
   // Half of the directions' variance from the lean, half from the octave's own width.
   const double side = lane % 2 == 0 ? 1.0 : -1.0;
   shape.toward = lean->toward + side * lean->spread / std::sqrt(2.0);
-  shape.directionalWidth = std::clamp(lean->spread / std::sqrt(2.0) / rmsOverWidth,
-                                      limits.sharpest, limits.broadest);
+  shape.directionalWidth =
+      std::clamp(lean->spread / std::sqrt(2.0) / rmsOverWidth, limits.sharpest, limits.broadest);
 }
 
 /// How many octaves share a frequency: grids need several.
@@ -100,8 +100,8 @@ GroupState startGroups(const GroupTarget& target, const GroupLayout& layout,
     const double room = (right - left) / (i > 0 && i + 1 < stations ? 2.0 : 1.5);
     GroupShape<double> shape;
     shape.frequency = centre[i];
-    shape.bandwidth = std::clamp(layout.overlap * room, limits.narrowest * centre[i],
-                                 limits.widest * centre[i]);
+    shape.bandwidth =
+        std::clamp(layout.overlap * room, limits.narrowest * centre[i], limits.widest * centre[i]);
     setDirection(target, layout, lane, lanes, limits, shape);
     const double density = target.density[nearestPoint(target, centre[i])];
     const double variance = density * shape.bandwidth / static_cast<double>(lanes);
@@ -119,9 +119,9 @@ void scatterShapes(GroupState& state, const GroupLimits& limits, std::mt19937_64
   for (GroupShape<double>& shape : state.shape) {
     shape.frequency = std::clamp(shape.frequency + uniform(random, -1.0, 1.0) * shape.bandwidth,
                                  limits.lowest, limits.highest);
-    shape.bandwidth = std::clamp(shape.bandwidth * std::exp(uniform(random, -0.5, 0.5)),
-                                 limits.narrowest * shape.frequency,
-                                 limits.widest * shape.frequency);
+    shape.bandwidth =
+        std::clamp(shape.bandwidth * std::exp(uniform(random, -0.5, 0.5)),
+                   limits.narrowest * shape.frequency, limits.widest * shape.frequency);
   }
 }
 

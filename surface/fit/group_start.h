@@ -12,11 +12,11 @@ namespace seaway::fit {
 /// How octaves are laid out before a solver moves them.
 struct GroupLayout {
   std::size_t octaves = 8;
-  double power = 0.5;    // centres at quantiles of S^power
-  double overlap = 1.25; // bandwidth over the room between neighbours
-  bool directions = false;        // from the target, else as below
-  double toward = 0.0;            // rad
-  double directionalWidth = 0.35; // rad
+  double power = 0.5;              // centres at quantiles of S^power
+  double overlap = 1.25;           // bandwidth over the room between neighbours
+  bool directions = false;         // from the target, else as below
+  double toward = 0.0;             // rad
+  double directionalWidth = 0.35;  // rad
 };
 
 /// Octaves at quantiles of a power of the target, with variances from the density there. Where the

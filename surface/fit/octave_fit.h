@@ -42,8 +42,9 @@ struct OctaveFitOptions {
   /// Group octaves: starts that are tried, ≥ 1, [1, 1000]; the first is the same for any seed, the
   /// best is kept.
   int starts = 1;
-  std::uint64_t seed = 1;     ///< of the starts after the first, and of `startScatter`
-  double startScatter = 0.0;  ///< ln variances start off by up to ± this, ≥ 0: to try the fit itself
+  std::uint64_t seed = 1;  ///< of the starts after the first, and of `startScatter`
+  double startScatter =
+      0.0;  ///< ln variances start off by up to ± this, ≥ 0: to try the fit itself
 };
 
 struct OctaveFitSummary {
@@ -51,7 +52,8 @@ struct OctaveFitSummary {
   bool usable = false;
   std::string message;
   int iterations = 0;  ///< of the start that was kept
-  double cost = std::numeric_limits<double>::infinity();  ///< half the sum of squares, of that start
+  double cost =
+      std::numeric_limits<double>::infinity();  ///< half the sum of squares, of that start
   /// √(∫(M − S)² / ∫S²) between model and target over the target's band: in wave number for
   /// Perlin octaves, in frequency for group octaves.
   double residualL2 = std::numeric_limits<double>::infinity();
@@ -62,8 +64,8 @@ struct OctaveFitSummary {
   double tpTarget = 0.0, tpFit = 0.0;      ///< s, largest density in frequency
   /// Group octaves: FieldReading::waveNumberDeviation over the band.
   double waveNumberDeviation = 0.0;
-  /// Directional fits: root mean square, weighted by energy, of the difference in mean direction and
-  /// in spread √(2(1 − r₁)), rad, between what a buoy would read and the target.
+  /// Directional fits: root mean square, weighted by energy, of the difference in mean direction
+  /// and in spread √(2(1 − r₁)), rad, between what a buoy would read and the target.
   double directionError = 0.0, spreadError = 0.0;
 };
 
@@ -86,15 +88,15 @@ struct OctaveFit {
 /// summary that is not usable. Thread-safe.
 OctaveFit fitPerlinOctaves(const FrequencySpectrum& target, const OctaveFitOptions& options = {});
 
-/// Fits group octaves to a target frequency spectrum, on S(f) itself: the spectrum a buoy at a fixed
-/// point sees. Unknowns are ln aᵢ² and, if `freeShapes`, centres and bandwidths, from quantiles of
-/// the target; first variances alone, then all. All else as above.
+/// Fits group octaves to a target frequency spectrum, on S(f) itself: the spectrum a buoy at a
+/// fixed point sees. Unknowns are ln aᵢ² and, if `freeShapes`, centres and bandwidths, from
+/// quantiles of the target; first variances alone, then all. All else as above.
 OctaveFit fitGroupOctaves(const FrequencySpectrum& target, const OctaveFitOptions& options = {});
 
-/// Fits group octaves to a target with directions, their own directions and crest lengths freed too.
-/// A target with a grid is fitted on E(f, θ); one with moments on S, S a₁, S b₁ and, where known,
-/// S a₂, S b₂, against what a heave–slope buoy would read. Several octaves may share a frequency.
-/// A target without directions is fitted as above.
+/// Fits group octaves to a target with directions, their own directions and crest lengths freed
+/// too. A target with a grid is fitted on E(f, θ); one with moments on S, S a₁, S b₁ and, where
+/// known, S a₂, S b₂, against what a heave–slope buoy would read. Several octaves may share a
+/// frequency. A target without directions is fitted as above.
 OctaveFit fitGroupOctaves(const DirectionalSpectrum& target, const OctaveFitOptions& options = {});
 
 /// Fits many targets on all cores, the same bits for any number of them.

@@ -109,8 +109,8 @@ Trial bestTrial(const GriddedTarget& target, const OctaveFitOptions& options) {
     const double first = low * std::pow(high / low, fraction);
     double lacunarity = options.lacunarity;
     if (options.octaves > 1) {
-      lacunarity = std::min(lacunarity, std::pow(target.waveNumber.back() / first,
-                                                 1.0 / (options.octaves - 1)));
+      lacunarity = std::min(
+          lacunarity, std::pow(target.waveNumber.back() / first, 1.0 / (options.octaves - 1)));
     }
     trials.push_back(trialFrom(first, lacunarity, target, options));
   }

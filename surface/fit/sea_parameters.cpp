@@ -109,10 +109,9 @@ SpectralFit solveSystems(const Bins& bins, std::vector<double> start,
   constexpr int count = systems * static_cast<int>(perSystem);
   using Cost = ceres::AutoDiffCostFunction<DevianceCost<systems>, ceres::DYNAMIC, count>;
   ceres::Problem problem;
-  problem.AddResidualBlock(
-      new Cost(new DevianceCost<systems>{&bins, options.degreesOfFreedom},
-               static_cast<int>(bins.frequency.size())),
-      nullptr, start.data());
+  problem.AddResidualBlock(new Cost(new DevianceCost<systems>{&bins, options.degreesOfFreedom},
+                                    static_cast<int>(bins.frequency.size())),
+                           nullptr, start.data());
   for (int j = 0; j < systems; ++j) {
     const int at = j * static_cast<int>(perSystem);
     problem.SetParameterLowerBound(start.data(), at + 1, -std::log(highest));
@@ -257,10 +256,9 @@ void fitDirections(const DirectionalSpectrum& target, const SeaParameterOptions&
     const double r1 = r1Of(s), r2 = r2Of(s);
     const double variance =
         0.5 * ((1.0 + r2 - 2.0 * r1 * r1) + (1.0 - r2)) / options.degreesOfFreedom;
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<DirectionCost, 2, 4>(
-            new DirectionCost{share, target.moments[i], std::sqrt(weight / variance)}),
-        nullptr, p.data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<DirectionCost, 2, 4>(new DirectionCost{
+                                 share, target.moments[i], std::sqrt(weight / variance)}),
+                             nullptr, p.data());
     rows += 2;
   }
   if (rows < 2 * systems + 2) return;
@@ -365,8 +363,8 @@ SeaParameters fitSeaParameters(const DirectionalSpectrum& target,
   bins.floor = 1e-6 * *std::max_element(bins.density.begin(), bins.density.end());
   const std::size_t needed = options.systems == 2 ? 7 : 4;
   if (result.bins < needed) {
-    result.message = std::to_string(result.bins) + " bins with energy; the fit needs " +
-                     std::to_string(needed);
+    result.message =
+        std::to_string(result.bins) + " bins with energy; the fit needs " + std::to_string(needed);
     return result;
   }
   const double lowest = target.energy.lowest(), highest = target.energy.highest();

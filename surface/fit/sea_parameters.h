@@ -9,7 +9,8 @@
 
 namespace seaway {
 
-/// A parameter with one standard deviation, from the covariance of its fit; NaN where there is none.
+/// A parameter with one standard deviation, from the covariance of its fit; NaN where there is
+/// none.
 struct Estimate {
   double value = std::numeric_limits<double>::quiet_NaN();
   double deviation = std::numeric_limits<double>::quiet_NaN();
@@ -38,8 +39,8 @@ struct SeaParameters {
   std::vector<WaveSystem> systems;  ///< from long waves to short: swell, wind sea
   std::size_t bins = 0;             ///< that entered the fit
   std::size_t zeroBins = 0;         ///< read zero, below the instrument's resolution: left out
-  double deviance = 0.0;            ///< −2 ln of the likelihood's ratio to that of a perfect model
-  double aic = 0.0;                 ///< deviance + 2 parameters
+  double deviance = 0.0;  ///< −2 ln of the likelihood's ratio to that of a perfect model
+  double aic = 0.0;       ///< deviance + 2 parameters
   double aicOfOne = std::numeric_limits<double>::quiet_NaN();  ///< where both were tried
   double aicOfTwo = std::numeric_limits<double>::quiet_NaN();
   int iterations = 0;
