@@ -122,8 +122,9 @@ void addFitCommand(CLI::App& app, ChosenCommand& chosen) {
                       "compass direction the waves come from: overrides a spectrum's own, and a "
                       "frequency spectrum does not say (default 0, with a warning)");
   command->add_option("--depth", options->depth, "water depth, m (default: deep)");
-  command->add_option("--out", options->out, "sea state file to write");
-  command->add_option("--report", options->report, "folder for sea.yaml and report.html");
+  command->add_option("--out", options->out, "sea state file to write")->check(mustBeNamed);
+  command->add_option("--report", options->report, "folder for sea.yaml and report.html")
+      ->check(mustBeNamed);
   command->add_flag("--verify", options->verify,
                     "moor a buoy in the fitted field and compare what it reads");
   command->add_option("--hours", options->hours, "length of its record, h (default 3)");
