@@ -69,7 +69,7 @@ std::string gnuplot(const std::string& script) {
 
 std::string preamble(const std::string& title, int width, int height) {
   return fmt::format(
-      "set terminal svg size {},{} dynamic font 'sans-serif,13' noenhanced background '#ffffff'\n"
+      "set terminal svg size {},{} fixed font 'sans-serif,13' noenhanced background '#ffffff'\n"
       "set title {}\nset border 3 lc rgb '#666666'\nset tics nomirror\n"
       "set grid lc rgb '#dddddd' lt 1\nset key top right\nset style fill solid 0.55 noborder\n",
       width, height, quoted(title));
@@ -150,7 +150,8 @@ std::string svgOf(const PolarMap& map) {
   const double outer = map.radius.back();
   std::string script = preamble(map.title, 520, 470) + palette();
   script += fmt::format(
-      "set size ratio -1\nunset border\nunset xtics\nunset ytics\nunset grid\nunset key\n"
+      "set style fill solid 1.0 noborder\nset size ratio -1\nunset border\nunset xtics\nunset "
+      "ytics\nunset grid\nunset key\n"
       "set view map\nset cblabel {}\nset xlabel {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
       quoted(map.valueLabel), quoted(map.radiusLabel), -1.15 * outer, 1.15 * outer, -1.15 * outer,
       1.15 * outer);
