@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "render/gl/loader.h"
+#include "render/loaded_context.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // OSMesa keeps its framebuffer records, about a kilobyte, until the process ends.
@@ -17,9 +17,9 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 namespace seaway::render {
 namespace {
 
-class OsmesaContext final : public HeadlessContext {
+class OsmesaContext final : public LoadedContext {
  public:
-  OsmesaContext() {
+  OsmesaContext() : LoadedContext(&OSMesaGetProcAddress) {
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_PROFILE,
@@ -32,39 +32,34 @@ class OsmesaContext final : public HeadlessContext {
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context_) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
     try {
-      makeCurrent();
-      description_ = loadGl(&OSMesaGetProcAddress);
+      load();
     } catch (...) {
-      OSMesaDestroyContext(context_);
+      destroy();
       throw;
     }
   }
-  ~OsmesaContext() override {
-    // A destroyed context that stays current could be taken for a new one at the same address.
-    if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-    OSMesaDestroyContext(context_);
-  }
+  ~OsmesaContext() override { destroy(); }
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  void makeCurrent() override {
-    if (OSMesaGetCurrentContext() == context_) return;
+  std::string backend() const override { return "osmesa"; }
+
+ private:
+  void bind() override {
     if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side)) {
       throw std::runtime_error("OSMesa context cannot be made current");
     }
   }
+  void unbind() noexcept override { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+  void destroy() {
+    release();
+    OSMesaDestroyContext(context_);
+  }
 
-  std::string backend() const override { return "osmesa"; }
-  std::string renderer() const override { return description_.renderer; }
-  std::string version() const override { return description_.version; }
-  int maximumSize() const override { return description_.maximumSize; }
-
- private:
   static constexpr int side = 4;
   OSMesaContext context_ = nullptr;
   // OSMesa insists on a default framebuffer; all drawing goes into framebuffers of our own.
   std::array<std::uint8_t, 4 * side * side> unused_{};
-  GlDescription description_;
 };
 
 }  // namespace
