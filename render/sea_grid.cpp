@@ -8,20 +8,14 @@
 #include "surface/curvature.h"
 
 namespace seaway::render {
-namespace {
-
-/// Largest distance between neighbours at a row: along it, and to the next row (or the one before
-/// the last).
-double spacingAt(const Projector& projector, const std::vector<double>& rows, int row,
-                 int columns) {
+double gridSpacing(const Projector& projector, const std::vector<double>& rows, int row,
+                   int columns) {
   const int neighbour = row + 1 < static_cast<int>(rows.size()) ? row + 1 : row - 1;
   const glm::dvec2 here = projector.basePoint(0.5, rows[row]);
   const glm::dvec2 beside = projector.basePoint(0.5 + 1.0 / (columns - 1), rows[row]);
   const glm::dvec2 beyond = projector.basePoint(0.5, rows[neighbour]);
   return std::max({glm::distance(here, beside), glm::distance(here, beyond), 1e-9});
 }
-
-}  // namespace
 
 void SeaGrid::fill(const WaterSurface& water, double time, const Camera& camera,
                    const Projector& projector, glm::ivec2 size) {
@@ -40,7 +34,7 @@ void SeaGrid::fill(const WaterSurface& water, double time, const Camera& camera,
       base_[column] = projector.basePoint(u, rows[row]);
       points_[column] = glm::dvec2(camera.position) + base_[column];
     }
-    const double spacing = spacingAt(projector, rows, row, size.x);
+    const double spacing = gridSpacing(projector, rows, row, size.x);
     fillRow(water, time, camera, bandLimit.planFor(spacing), row);
   }
   markOutside(camera);

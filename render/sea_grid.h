@@ -13,6 +13,11 @@
 
 namespace seaway::render {
 
+/// Largest distance in m between neighbours at a row of a grid of `columns` over a projector's range:
+/// along it, and to the next row (or the one before the last). `rows` as Projector::rows gives them.
+double gridSpacing(const Projector& projector, const std::vector<double>& rows, int row,
+                   int columns);
+
 /// A vertex of the drawn sea, as it goes into the vertex buffer.
 struct SeaVertex {
   glm::vec3 position;         ///< relative to the camera, sea-plane axes, curved sea, m
