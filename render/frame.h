@@ -28,6 +28,7 @@ enum class PixelClass : std::uint8_t { sky = 0, water = 1, object = 2 };
 /// What a frame cost and how it was made.
 struct FrameStats {
   std::string technique;
+  std::string variant;                                   ///< of the projected grid
   std::string backend;                                   ///< such as "osmesa"
   std::string renderer;                                  ///< GL_RENDERER of the context
   std::vector<std::pair<std::string, double>> passesMs;  ///< wall ms, in order, GL finished

@@ -7,13 +7,12 @@
 #include "render/edge_smoothing.h"
 #include "render/gl/frame_targets.h"
 #include "render/gl/object_pass.h"
+#include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
 #include "render/gl/sky_pass.h"
-#include "render/gl/water_pass.h"
 #include "render/headless_context.h"
 #include "render/projector.h"
 #include "render/render_technique.h"
-#include "render/sea_grid.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -86,7 +85,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
     if (effect) view.effects->charge(*effect, 1e3 * milliseconds);
   }
   void prepareTargets(const Camera& camera);
-  bool fillGrid(const View& view, FrameStats& stats);
+  bool placeSea(const View& view, FrameStats& stats);
   struct Drawn {
     bool water = false, objects = false, underWater = false;
   };
@@ -97,10 +96,9 @@ class ProjectedGridTechnique final : public RenderTechnique {
 
   HeadlessContext& context_;
   ProjectedGridOptions options_;
-  SeaGrid grid_;
   GlVertexArray noVertices_;
   std::optional<FrameTargets> targets_;
-  std::optional<WaterPass> water_;
+  std::unique_ptr<SeaGeometryPass> sea_;
   std::optional<ObjectPass> objects_;
   std::optional<SkyPass> sky_;
   std::optional<ShadingPass> shading_;
@@ -123,7 +121,7 @@ void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
 
 /// True if there is water to draw. Where a wave passes the bounds that placed the grid, the grid is
 /// placed again with room for it.
-bool ProjectedGridTechnique::fillGrid(const View& view, FrameStats& stats) {
+bool ProjectedGridTechnique::placeSea(const View& view, FrameStats& stats) {
   const ProjectorOptions options{.elevation = options_.projectorElevation};
   double bound = view.water->heightBound();
   for (int attempt = 0; attempt < 4; ++attempt) {
@@ -132,13 +130,14 @@ bool ProjectedGridTechnique::fillGrid(const View& view, FrameStats& stats) {
         Effect::water, projector.has_value(),
         projector ? "the waves' volume meets the camera's view" : "no water in the camera's view");
     if (!runs || !projector) return false;
-    grid_.fill(*view.water, view.time, view.camera, *projector, options_.grid);
-    if (grid_.largestHeight() <= bound) break;
-    bound = 1.05 * grid_.largestHeight();
+    if (!sea_) sea_ = makeSeaGeometryPass(options_.variant);
+    const SeaPlacement placed = sea_->place(view, *projector, options_.grid);
+    stats.vertices = placed.vertices;
+    stats.vertexEfficiency = static_cast<double>(placed.verticesInFrustum) / placed.vertices;
+    if (placed.largestHeight <= bound) break;
+    bound = 1.05 * placed.largestHeight;
     ++stats.boundRedraws;
   }
-  stats.vertices = grid_.vertices().size();
-  stats.vertexEfficiency = static_cast<double>(grid_.verticesInFrustum()) / stats.vertices;
   return true;
 }
 
@@ -146,7 +145,7 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
                                                                    FrameStats& stats) {
   Drawn drawn;
   const Clock::time_point start = Clock::now();
-  if (view.water) drawn.water = fillGrid(view, stats);
+  if (view.water) drawn.water = placeSea(view, stats);
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
   const glm::dvec3 eye = view.camera.position;
@@ -169,8 +168,7 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   const glm::mat4 clipFromRelativeWorld = reversedClipFromRelativeWorld(view.camera);
   if (drawn.water) {
     timed(view, stats, "water", Effect::water, [&] {
-      if (!water_) water_.emplace();
-      water_->draw(grid_, clipFromRelativeWorld, drawn.underWater);
+      sea_->draw(*targets_, clipFromRelativeWorld, drawn.underWater);
     });
   }
   const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
@@ -232,8 +230,8 @@ void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameSt
 }
 
 void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
-  const std::size_t water = grid_.memoryBytes() + (water_ ? water_->memoryBytes() : 0) +
-                            (shading_ ? shading_->waterMemoryBytes() : 0);
+  const std::size_t water =
+      (sea_ ? sea_->memoryBytes() : 0) + (shading_ ? shading_->waterMemoryBytes() : 0);
   if (water > 0) effects.holdMemory(Effect::water, water);
   if (sky_) effects.holdMemory(Effect::sky, sky_->memoryBytes());
   if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
@@ -246,6 +244,7 @@ Frame ProjectedGridTechnique::draw(const View& view) {
 
   Frame frame;
   frame.stats.technique = name();
+  frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();
   frame.stats.renderer = context_.renderer();
   const Drawn drawn = drawGeometry(view, frame.stats);
@@ -259,6 +258,14 @@ Frame ProjectedGridTechnique::draw(const View& view) {
 }
 
 }  // namespace
+
+std::string_view gridVariantName(GridVariant variant) {
+  switch (variant) {
+    case GridVariant::cpuVertices:
+      return "cpu_vertices";
+  }
+  return "";
+}
 
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,
                                                    const ProjectedGridOptions& options) {

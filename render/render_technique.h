@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/camera.h"
@@ -61,14 +62,21 @@ class RenderTechnique {
   virtual Frame draw(const View& view) = 0;
 };
 
-/// How finely the projected grid samples the sea.
+/// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
+enum class GridVariant {
+  cpuVertices,  ///< heights and vertices by the processor, mesh through GL
+};
+/// Name as on the command line: "cpu_vertices".
+std::string_view gridVariantName(GridVariant variant);
+
+/// How finely the projected grid samples the sea, and by which variant.
 struct ProjectedGridOptions {
   glm::ivec2 grid{256, 256};        ///< vertices across, vertices along; ≥ 2 each
   double projectorElevation = 1.0;  ///< least height of the projector above the highest wave, m
+  GridVariant variant = GridVariant::cpuVertices;
 };
 
-/// Projected grid, vertices computed on the CPU from `View::water` (Johanson 2004, "CPU-based
-/// vertex processing"), drawn through the context.
+/// Johanson's projected grid (2004), drawn through the context.
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,
                                                    const ProjectedGridOptions& options = {});
 

@@ -1,0 +1,46 @@
+#include "render/gl/cpu_vertices_pass.h"
+
+#include <cstddef>
+
+namespace seaway::render {
+
+CpuVerticesPass::CpuVerticesPass()
+    : program_({"water.vert"}, {"water.frag"}), array_(makeVertexArray()) {
+  glVertexArrayVertexBuffer(array_, 0, vertices_, 0, sizeof(SeaVertex));
+  glVertexArrayElementBuffer(array_, indices_);
+  floatAttribute(array_, 0, 3, offsetof(SeaVertex, position));
+  floatAttribute(array_, 1, 2, offsetof(SeaVertex, slope));
+  floatAttribute(array_, 2, 2, offsetof(SeaVertex, height));
+}
+
+std::string_view CpuVerticesPass::variant() const {
+  return gridVariantName(GridVariant::cpuVertices);
+}
+
+SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector,
+                                    glm::ivec2 size) {
+  grid_.fill(*view.water, view.time, view.camera, projector, size);
+  return {grid_.largestHeight(), grid_.vertices().size(), grid_.verticesInFrustum()};
+}
+
+void CpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativeWorld,
+                           bool cameraIsUnderWater) {
+  if (grid_.indices().empty()) return;
+  vertices_.put(std::span(grid_.vertices()));
+  indices_.put(std::span(grid_.indices()));
+  program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
+  glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, stencilWater, 0xFF);
+  // From above, a back side that shows is a crest's rim within a pixel, not the underside.
+  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, cameraIsUnderWater ? stencilUnderside : stencilWater,
+                        0xFF);
+  glUseProgram(program_);
+  glBindVertexArray(array_);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid_.indices().size()), GL_UNSIGNED_INT,
+                 nullptr);
+}
+
+std::size_t CpuVerticesPass::memoryBytes() const {
+  return grid_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes();
+}
+
+}  // namespace seaway::render
