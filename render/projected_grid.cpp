@@ -263,6 +263,12 @@ std::string_view gridVariantName(GridVariant variant) {
   switch (variant) {
     case GridVariant::cpuVertices:
       return "cpu_vertices";
+    case GridVariant::gpu:
+      return "gpu";
+    case GridVariant::cpuVerticesGpuNormals:
+      return "cpu_vertices_gpu_normals";
+    case GridVariant::marched:
+      return "marched";
   }
   return "";
 }

@@ -64,7 +64,11 @@ class RenderTechnique {
 
 /// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
 enum class GridVariant {
-  cpuVertices,  ///< heights and vertices by the processor, mesh through GL
+  cpuVertices,            ///< heights and vertices by the processor, mesh through GL
+  gpu,                    ///< heights by the graphics card, vertices displaced by texture fetch
+  cpuVerticesGpuNormals,  ///< an eighth of the vertices each way by the processor, slopes at all
+                          ///< points of the grid by the graphics card
+  marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
 };
 /// Name as on the command line: "cpu_vertices".
 std::string_view gridVariantName(GridVariant variant);

@@ -18,7 +18,7 @@ constexpr std::size_t fieldBytes =
 static_assert(sizeof(TwinOctave) == 64 && sizeof(TwinRow) == 32);
 
 struct TallyBlock {
-  std::uint32_t largestHeight, verticesInFrustum;
+  std::uint32_t largestHeight, verticesInFrustum, largestSlope;
 };
 
 GlProgram makeProgram(WaveMap::Way way) {
@@ -50,7 +50,12 @@ void WaveMap::resize(glm::ivec2 size) {
   size_ = size;
 }
 
-void WaveMap::upload(const FieldTwin& field, std::span<const TwinRow> rows) {
+void WaveMap::uploadRows(std::span<const TwinRow> rows) {
+  rows_.put(rows);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rows_);
+}
+
+void WaveMap::uploadField(const FieldTwin& field) {
   const FieldHeader header{glm::ivec4(field.counts(), 0)};
   glNamedBufferSubData(field_, 0, sizeof header, &header);
   const auto octaves = field.octaves();
@@ -58,22 +63,22 @@ void WaveMap::upload(const FieldTwin& field, std::span<const TwinRow> rows) {
     glNamedBufferSubData(field_, sizeof header, static_cast<GLsizeiptr>(octaves.size_bytes()),
                          octaves.data());
   }
-  rows_.put(rows);
-  const TallyBlock nothing{0, 0};
+  const TallyBlock nothing{0, 0, 0};
   glNamedBufferSubData(tally_, 0, sizeof nothing, &nothing);
 }
 
 void WaveMap::bindBuffers() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, field_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, rows_);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tally_);
 }
 
 void WaveMap::fill(const FieldTwin& field, std::span<const TwinRow> rows, int columns,
                    const Camera& camera, GLuint stamps) {
   resize({columns, static_cast<int>(rows.size())});
-  upload(field, rows);
+  uploadField(field);
+  uploadRows(rows);
   bindBuffers();
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tally_);
 
   const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
   setCurvedSea(program_, camera);
@@ -93,11 +98,12 @@ void WaveMap::fill(const FieldTwin& field, std::span<const TwinRow> rows, int co
     glViewport(0, 0, size_.x, size_.y);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                  GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 WaveMap::Tally WaveMap::tally() const {
-  TallyBlock block{0, 0};
+  TallyBlock block{0, 0, 0};
   glGetNamedBufferSubData(tally_, 0, sizeof block, &block);
   return {std::bit_cast<float>(block.largestHeight), block.verticesInFrustum};
 }

@@ -19,6 +19,9 @@ class WaveMap {
   enum class Way { fragment, compute };
   explicit WaveMap(Way way);
 
+  /// Uploads rows ahead of `fill` and binds them, for stamps.
+  void uploadRows(std::span<const TwinRow> rows);
+
   /// Fills the map for rows of `columns` points. `stamps`: a texture of the map's size that is
   /// added to it, 0 for none. Needs an empty vertex array to be bound.
   void fill(const FieldTwin& field, std::span<const TwinRow> rows, int columns,
@@ -27,7 +30,7 @@ class WaveMap {
   GLuint texture() const { return texture_; }
   glm::ivec2 size() const { return size_; }
 
-  /// Binds what field_buffers.glsl reads: octaves and rows of the last `fill`.
+  /// Binds what shaders read of the last `fill`: octaves, rows and the tally.
   void bindBuffers() const;
 
   /// What the last `fill` found; waits for the graphics card.
@@ -41,7 +44,7 @@ class WaveMap {
 
  private:
   void resize(glm::ivec2 size);
-  void upload(const FieldTwin& field, std::span<const TwinRow> rows);
+  void uploadField(const FieldTwin& field);
 
   Way way_;
   GlProgram program_;

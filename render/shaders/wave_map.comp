@@ -3,11 +3,13 @@ layout(rgba32f, binding = 0) writeonly uniform image2D waveImage;
 
 shared uint groupLargest;
 shared uint groupInFrustum;
+shared uint groupSlope;
 
 void main() {
   if (gl_LocalInvocationIndex == 0u) {
     groupLargest = 0u;
     groupInFrustum = 0u;
+    groupSlope = 0u;
   }
   barrier();
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -15,11 +17,13 @@ void main() {
     vec4 waves = waveTexel(texel);
     imageStore(waveImage, texel, waves);
     atomicMax(groupLargest, floatBitsToUint(abs(waves.x)));
+    atomicMax(groupSlope, floatBitsToUint(length(waves.yz)));
     if (isInFrustum(texel, waves.x)) atomicAdd(groupInFrustum, 1u);
   }
   barrier();
   if (gl_LocalInvocationIndex == 0u) {
     atomicMax(largestHeight, groupLargest);
     atomicAdd(verticesInFrustum, groupInFrustum);
+    atomicMax(largestSlope, groupSlope);
   }
 }

@@ -10,10 +10,11 @@ vec4 waveTexel(ivec2 texel) {
   return result;
 }
 
-// What is noted of a frame's vertices; the height's bits grow with it.
+// What is noted of a frame's vertices. The bits of floats above 0 grow with them.
 layout(std430, binding = 1) buffer TallyBlock {
   uint largestHeight;
   uint verticesInFrustum;
+  uint largestSlope;
 };
 
 uniform vec3 axialFromWorld, xFromWorld, yFromWorld;  // x and y are 1 at the image's edge per axial
