@@ -1,15 +1,13 @@
-#include "tests/bench/rivals/seas.h"
+#include "sim_bridge/cost/rivals/seas.h"
 
 #include <cmath>
 
+#include "sim_bridge/cost/rivals/sine_sum.h"
 #include "surface/fit/octave_fit.h"
 #include "surface/spectra/families.h"
-#include "tests/bench/rivals/sine_sum.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace {
-
-constexpr JonswapParameters sea{1.12, 5.6, 3.3};
 
 FittedOctaves fitted(const OctaveFit& fit) { return {fit.octaves, fit.summary.residualL2}; }
 
@@ -17,22 +15,20 @@ double relative(double difference, double whole) { return std::sqrt(difference /
 
 }  // namespace
 
-FrequencySpectrum targetSpectrum() { return jonswap(sea); }
-
-FittedOctaves groupOctaves(int count) {
+FittedOctaves groupOctaves(const FrequencySpectrum& target, int count) {
   OctaveFitOptions options;
   options.octaves = count;
-  return fitted(fitGroupOctaves(targetSpectrum(), options));
+  return fitted(fitGroupOctaves(target, options));
 }
 
-FittedOctaves perlinOctaves(int count) {
+FittedOctaves perlinOctaves(const FrequencySpectrum& target, int count) {
   OctaveFitOptions options;
   options.octaves = count;
-  return fitted(fitPerlinOctaves(targetSpectrum(), options));
+  return fitted(fitPerlinOctaves(target, options));
 }
 
-FittedOctaves halvingPerlinOctaves() {
-  const FrequencySpectrum target = targetSpectrum();
+FittedOctaves halvingPerlinOctaves(const JonswapParameters& sea) {
+  const FrequencySpectrum target = jonswap(sea);
   const double peak = 1.0 / sea.peakPeriod;
   const double scale = target.at(peak) / jonswapShape(peak, peak, sea.peakEnhancement);
   FrequencySpectrum longer;
@@ -44,16 +40,15 @@ FittedOctaves halvingPerlinOctaves() {
   return fitted(fitPerlinOctaves(longer));
 }
 
-std::vector<Octave> regularWaves(int count) {
+std::vector<Octave> regularWaves(const FrequencySpectrum& target, int count) {
   std::vector<Octave> octaves;
-  for (const SineComponent& c : sineComponents(targetSpectrum(), static_cast<std::size_t>(count))) {
+  for (const SineComponent& c : sineComponents(target, static_cast<std::size_t>(count))) {
     octaves.push_back(makeRegularWave(c.amplitude, c.frequency, c.toward, c.phase));
   }
   return octaves;
 }
 
-double sineResidual(std::size_t count) {
-  const FrequencySpectrum target = targetSpectrum();
+double sineResidual(const FrequencySpectrum& target, std::size_t count) {
   const std::vector<double> edges = bandEdges(target, count);
   const auto components = sineComponents(target, count);
   double difference = 0.0, whole = 0.0;
@@ -70,8 +65,7 @@ double sineResidual(std::size_t count) {
   return relative(difference, whole);
 }
 
-double bandResidual(const std::vector<double>& variance) {
-  const FrequencySpectrum target = targetSpectrum();
+double bandResidual(const FrequencySpectrum& target, const std::vector<double>& variance) {
   const double width = (target.highest() - target.lowest()) / static_cast<double>(variance.size());
   double difference = 0.0, whole = 0.0;
   constexpr int steps = 100;
@@ -87,4 +81,4 @@ double bandResidual(const std::vector<double>& variance) {
   return relative(difference, whole);
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

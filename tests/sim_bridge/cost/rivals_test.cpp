@@ -3,15 +3,18 @@
 #include <cmath>
 #include <random>
 
+#include "sim_bridge/cost/rivals/cached_octaves.h"
+#include "sim_bridge/cost/rivals/fft_tile.h"
+#include "sim_bridge/cost/rivals/seas.h"
+#include "sim_bridge/cost/rivals/sine_sum.h"
 #include "surface/field/kernels/field_blocks.h"
-#include "tests/bench/rivals/cached_octaves.h"
-#include "tests/bench/rivals/fft_tile.h"
-#include "tests/bench/rivals/seas.h"
-#include "tests/bench/rivals/sine_sum.h"
 
-/// The benchmark's rivals are what they claim to be.
-namespace seaway::bench {
+/// The rivals are what they claim to be.
+namespace seaway::rivals {
 namespace {
+
+constexpr JonswapParameters sea{1.12, 5.6, 3.3};
+const FrequencySpectrum target = jonswap(sea);
 
 struct Points {
   explicit Points(std::size_t count, double reach = 1e3) : x(count), y(count) {
@@ -23,13 +26,13 @@ struct Points {
 };
 
 TEST(SineSum, EqualsTheSumOfStandardCosinesOnEveryInstructionSet) {
-  const auto components = sineComponents(targetSpectrum(), 50);
+  const auto components = sineComponents(target, 50);
   SineSum sum(components);
   sum.prepare(17.0);
   const Points points(300);
   std::vector<float> height(300), slopeX(300), slopeY(300), rate(300);
-  for (const char* target : {"AVX3", "AVX2", "SSE4"}) {
-    if (!forceKernelTarget(target)) continue;
+  for (const char* isa : {"AVX3", "AVX2", "SSE4"}) {
+    if (!forceKernelTarget(isa)) continue;
     sum.sample(points.x, points.y, {height, slopeX, slopeY, rate});
     for (std::size_t i = 0; i < 300; ++i) {
       const glm::dvec2 p(points.x[i], points.y[i]);
@@ -49,15 +52,15 @@ TEST(SineSum, EqualsTheSumOfStandardCosinesOnEveryInstructionSet) {
 
 TEST(SineSum, ComponentsHoldTheTargetsVariance) {
   double variance = 0.0;
-  for (const SineComponent& c : sineComponents(targetSpectrum(), 200)) {
+  for (const SineComponent& c : sineComponents(target, 200)) {
     variance += 0.5 * c.amplitude * c.amplitude;
   }
   EXPECT_NEAR(4.0 * std::sqrt(variance), 1.12, 1e-3);
-  EXPECT_LT(sineResidual(1000), sineResidual(50));
+  EXPECT_LT(sineResidual(target, 1000), sineResidual(target, 50));
 }
 
 TEST(FftTile, NodesEqualTheDirectFourierSum) {
-  FftTile tile(targetSpectrum(), 32, 256.0);
+  FftTile tile(target, 32, 256.0);
   tile.step(3.0);
   const double step = 256.0 / 32.0, h = 1e-3;
   for (std::uint32_t n = 0; n < 32; ++n) {
@@ -76,7 +79,7 @@ TEST(FftTile, NodesEqualTheDirectFourierSum) {
 }
 
 TEST(FftTile, HasTheTargetsWaveHeight) {
-  FftTile tile(targetSpectrum(), 256, 256.0);
+  FftTile tile(target, 256, 256.0);
   tile.step(1.0);
   double sum = 0.0;
   for (std::uint32_t n = 0; n < 256 * 256; ++n) {
@@ -87,7 +90,7 @@ TEST(FftTile, HasTheTargetsWaveHeight) {
 }
 
 TEST(FftTile, LookUpsGoThroughNodesAndRepeatAfterATile) {
-  FftTile tile(targetSpectrum(), 64, 256.0);
+  FftTile tile(target, 64, 256.0);
   tile.step(3.0);
   for (const Interpolation interpolation : {Interpolation::bilinear, Interpolation::cubic}) {
     std::vector<double> x, y;
@@ -105,7 +108,7 @@ TEST(FftTile, LookUpsGoThroughNodesAndRepeatAfterATile) {
 }
 
 TEST(FftTile, CubicLookUpsAreCloserToTheFourierSumThanBilinearOnes) {
-  FftTile tile(targetSpectrum(), 64, 128.0);
+  FftTile tile(target, 64, 128.0);
   tile.step(3.0);
   const Points points(200);
   double error[2] = {};
@@ -122,7 +125,7 @@ TEST(FftTile, CubicLookUpsAreCloserToTheFourierSumThanBilinearOnes) {
 }
 
 TEST(CachedOctaves, TexelsEqualTheirOctaves) {
-  CachedOctaves cached(halvingPerlinOctaves().octaves);
+  CachedOctaves cached(halvingPerlinOctaves(sea).octaves);
   cached.step(7.3);
   for (const std::size_t texture : {0u, 1u}) {
     for (std::uint32_t n = 0; n < 40; ++n) {
@@ -141,7 +144,7 @@ TEST(CachedOctaves, TexelsEqualTheirOctaves) {
 }
 
 TEST(CachedOctaves, LatticesHalveAndLookUpsAddBothTextures) {
-  const auto octaves = halvingPerlinOctaves().octaves;
+  const auto octaves = halvingPerlinOctaves(sea).octaves;
   ASSERT_EQ(octaves.size(), 8u);
   for (std::size_t i = 1; i < 8; ++i) {
     EXPECT_NEAR(octaves[i].latticeSize, 0.5 * octaves[i - 1].latticeSize, 1e-9);
@@ -157,4 +160,4 @@ TEST(CachedOctaves, LatticesHalveAndLookUpsAddBothTextures) {
 }
 
 }  // namespace
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

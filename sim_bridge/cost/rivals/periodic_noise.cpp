@@ -1,11 +1,11 @@
-#include "tests/bench/rivals/periodic_noise.h"
+#include "sim_bridge/cost/rivals/periodic_noise.h"
 
 #include <cmath>
 
 #include "surface/constants.h"
 #include "surface/field/lattice_hash.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace {
 
 double fade(double u) { return u * u * u * (u * (u * 6.0 - 15.0) + 10.0); }
@@ -104,4 +104,4 @@ void PeriodicNoise::addTo(std::vector<Texel>& out, std::uint32_t texels, double 
   }
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// What one look-up answers: the same four values that the field's arrays hold.
 struct alignas(16) Texel {
@@ -16,7 +16,7 @@ struct alignas(16) Texel {
 /// A square of texels that repeats over the plane; texel (0, 0) lies at −offset.
 struct TexelGrid {
   const Texel* texels = nullptr;
-  std::uint32_t size = 0;      ///< texels a side, a power of two
+  std::uint32_t size = 0;  ///< texels a side, a power of two
   double texelsPerMetre = 0.0;
   double offsetX = 0.0, offsetY = 0.0;  ///< texels
 };
@@ -28,4 +28,4 @@ enum class Store { set, add };
 void lookUp(const TexelGrid& grid, Interpolation interpolation, const double* x, const double* y,
             std::size_t count, float weight, Store store, Texel* out);
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

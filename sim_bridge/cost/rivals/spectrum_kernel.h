@@ -2,12 +2,12 @@
 
 #include <cstddef>
 
-#include "tests/bench/rivals/fft_tile.h"
+#include "sim_bridge/cost/rivals/fft_tile.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// Coefficients of height, slopes and rate at time t, interleaved real and imaginary parts; plane
 /// n starts at `out + 2 · n · count`. The spectrum's arrays are padded to a multiple of 16.
 void advanceSpectrum(const TileSpectrum& spectrum, double t, std::size_t count, float* out);
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

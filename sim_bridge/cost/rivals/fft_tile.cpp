@@ -1,14 +1,14 @@
-#include "tests/bench/rivals/fft_tile.h"
+#include "sim_bridge/cost/rivals/fft_tile.h"
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <random>
 
+#include "sim_bridge/cost/rivals/spectrum_kernel.h"
 #include "surface/constants.h"
-#include "tests/bench/rivals/spectrum_kernel.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace {
 
 double frequencyOf(double k) { return std::sqrt(standardGravity * k) / (2.0 * pi); }
@@ -46,7 +46,9 @@ std::vector<double> amplitudes(const FrequencySpectrum& target, std::uint32_t si
 
 FftTile::FftTile(const FrequencySpectrum& target, std::uint32_t size, double length,
                  unsigned planning)
-    : size_(size), length_(length), amplitude_(amplitudes(target, size, 2.0 * pi / length)),
+    : size_(size),
+      length_(length),
+      amplitude_(amplitudes(target, size, 2.0 * pi / length)),
       coefficients_(fftwf_alloc_complex(4 * std::size_t{size} * (size / 2 + 1))),
       texels_(std::size_t{size} * size) {
   const double dk = 2.0 * pi / length;
@@ -139,4 +141,4 @@ std::size_t FftTile::memoryBytes() const {
          halfCount() * (4 * sizeof(fftwf_complex) + 6 * sizeof(float) + sizeof(double));
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

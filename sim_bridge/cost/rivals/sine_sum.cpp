@@ -1,14 +1,14 @@
-#include "tests/bench/rivals/sine_sum.h"
+#include "sim_bridge/cost/rivals/sine_sum.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "sim_bridge/cost/rivals/sine_kernel.h"
 #include "surface/angles.h"
 #include "surface/dispersion.h"
-#include "tests/bench/rivals/sine_kernel.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 std::vector<double> bandEdges(const FrequencySpectrum& target, std::size_t count) {
   constexpr std::size_t steps = 20000;
@@ -90,4 +90,4 @@ double sineSumHeight(std::span<const SineComponent> components, glm::dvec2 point
   return sum;
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

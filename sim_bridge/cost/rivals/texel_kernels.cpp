@@ -1,15 +1,15 @@
-#include "tests/bench/rivals/texel_kernels.h"
+#include "sim_bridge/cost/rivals/texel_kernels.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/bench/rivals/texel_kernels.cpp"
+#define HWY_TARGET_INCLUDE "sim_bridge/cost/rivals/texel_kernels.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 #include "surface/field/kernels/kernel_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -104,8 +104,10 @@ void LookUp(const TexelGrid& grid, const double* x, const double* y, std::size_t
       const std::uint32_t i = across.cell[p], j = along.cell[p];
       const float u = across.fraction[p], v = along.fraction[p];
       V4 value;
-      if constexpr (kInterpolation == Interpolation::bilinear) value = Bilinear(grid, i, j, u, v);
-      else value = Cubic(grid, i, j, u, v);
+      if constexpr (kInterpolation == Interpolation::bilinear)
+        value = Bilinear(grid, i, j, u, v);
+      else
+        value = Cubic(grid, i, j, u, v);
       float* to = &out[first + p].height;
       value = hn::Mul(value, scale);
       if constexpr (kStore == Store::add) value = hn::Add(value, hn::Load(four, to));
@@ -133,11 +135,11 @@ void AddCubic(const TexelGrid& grid, const double* x, const double* y, std::size
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace seaway::bench {
+namespace seaway::rivals {
 
 HWY_EXPORT(SetBilinear);
 HWY_EXPORT(AddBilinear);
@@ -149,12 +151,12 @@ void lookUp(const TexelGrid& grid, Interpolation interpolation, const double* x,
   const bool cubic = interpolation == Interpolation::cubic;
   if (store == Store::set) {
     (cubic ? HWY_DYNAMIC_DISPATCH(SetCubic) : HWY_DYNAMIC_DISPATCH(SetBilinear))(grid, x, y, count,
-                                                                                weight, out);
+                                                                                 weight, out);
   } else {
     (cubic ? HWY_DYNAMIC_DISPATCH(AddCubic) : HWY_DYNAMIC_DISPATCH(AddBilinear))(grid, x, y, count,
-                                                                                weight, out);
+                                                                                 weight, out);
   }
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 #endif

@@ -1,15 +1,15 @@
-#include "tests/bench/rivals/spectrum_kernel.h"
+#include "sim_bridge/cost/rivals/spectrum_kernel.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/bench/rivals/spectrum_kernel.cpp"
+#define HWY_TARGET_INCLUDE "sim_bridge/cost/rivals/spectrum_kernel.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 #include "surface/field/kernels/kernel_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -35,9 +35,8 @@ void Advance(const TileSpectrum& s, double t, std::size_t count, float* out) {
   for (std::size_t i = 0; i < count; i += lanes) {
     const auto low = hn::LoadU(d, s.turnsPerSecond.data() + i);
     const auto high = hn::LoadU(d, s.turnsPerSecond.data() + i + half);
-    const auto omega = hn::Mul(
-        twoPi, hn::Combine(f, hn::DemoteTo(hn::Half<math::Floats>(), high),
-                           hn::DemoteTo(hn::Half<math::Floats>(), low)));
+    const auto omega = hn::Mul(twoPi, hn::Combine(f, hn::DemoteTo(hn::Half<math::Floats>(), high),
+                                                  hn::DemoteTo(hn::Half<math::Floats>(), low)));
     const math::SinCos w =
         math::SinCosTurns(math::Reduce({hn::Mul(low, time), hn::Mul(high, time)}).rest);
     const auto pr = hn::LoadU(f, s.pReal.data() + i), pi = hn::LoadU(f, s.pImaginary.data() + i);
@@ -61,11 +60,11 @@ void Advance(const TileSpectrum& s, double t, std::size_t count, float* out) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace seaway::bench {
+namespace seaway::rivals {
 
 HWY_EXPORT(Advance);
 
@@ -73,5 +72,5 @@ void advanceSpectrum(const TileSpectrum& spectrum, double t, std::size_t count, 
   HWY_DYNAMIC_DISPATCH(Advance)(spectrum, t, count, out);
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 #endif

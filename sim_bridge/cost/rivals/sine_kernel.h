@@ -2,12 +2,12 @@
 
 #include <span>
 
-#include "tests/bench/rivals/sine_sum.h"
+#include "sim_bridge/cost/rivals/sine_sum.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// Adds up all components at points (m), points in lanes; every span of `out` is as long as `x`.
 void sumSines(const SineSum::Prepared& components, std::span<const double> x,
               std::span<const double> y, const FieldAtTime::Arrays& out);
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

@@ -8,7 +8,7 @@
 #include "surface/field/wave_field.h"
 #include "surface/spectra/frequency_spectrum.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// One sine: amplitude · cos(k·x − ωt + phase), deep water.
 struct SineComponent {
@@ -49,4 +49,4 @@ class SineSum {
 /// Height by std::cos in double: the truth.
 double sineSumHeight(std::span<const SineComponent> components, glm::dvec2 point, double t);
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

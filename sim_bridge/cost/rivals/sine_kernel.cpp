@@ -1,15 +1,15 @@
-#include "tests/bench/rivals/sine_kernel.h"
+#include "sim_bridge/cost/rivals/sine_kernel.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/bench/rivals/sine_kernel.cpp"
+#define HWY_TARGET_INCLUDE "sim_bridge/cost/rivals/sine_kernel.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 #include "surface/field/kernels/kernel_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -28,9 +28,9 @@ void SumTile(const SineSum::Prepared& c, std::size_t count, SineTile& tile) {
     const math::DoublePair x = math::LoadPair(tile.x + p), y = math::LoadPair(tile.y + p);
     auto height = hn::Zero(f), slopeX = hn::Zero(f), slopeY = hn::Zero(f), rate = hn::Zero(f);
     for (std::size_t i = 0; i < c.turns.size(); ++i) {
-      const math::DoublePair turns = math::Linear(math::SetPair(c.turnsPerMetreX[i]), x,
-                                                  math::SetPair(c.turnsPerMetreY[i]), y,
-                                                  math::SetPair(c.turns[i]));
+      const math::DoublePair turns =
+          math::Linear(math::SetPair(c.turnsPerMetreX[i]), x, math::SetPair(c.turnsPerMetreY[i]), y,
+                       math::SetPair(c.turns[i]));
       const math::SinCos wave = math::SinCosTurns(math::Reduce(turns).rest);
       height = hn::MulAdd(hn::Set(f, c.height[i]), wave.cosine, height);
       slopeX = hn::MulAdd(hn::Set(f, c.slopeX[i]), wave.sine, slopeX);
@@ -61,11 +61,11 @@ void SumSines(const SineSum::Prepared& components, std::span<const double> x,
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace seaway::bench {
+namespace seaway::rivals {
 
 HWY_EXPORT(SumSines);
 
@@ -74,5 +74,5 @@ void sumSines(const SineSum::Prepared& components, std::span<const double> x,
   HWY_DYNAMIC_DISPATCH(SumSines)(components, x, y, out);
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
 #endif

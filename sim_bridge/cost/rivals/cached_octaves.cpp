@@ -1,12 +1,12 @@
-#include "tests/bench/rivals/cached_octaves.h"
+#include "sim_bridge/cost/rivals/cached_octaves.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "sim_bridge/cost/rivals/periodic_noise.h"
 #include "surface/field/lattice_hash.h"
-#include "tests/bench/rivals/periodic_noise.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 namespace {
 
 std::uint64_t seedOf(std::size_t octave) { return mixSeed(0x5EA + octave); }
@@ -58,8 +58,7 @@ void CachedOctaves::step(double t) {
 }
 
 void CachedOctaves::sample(std::span<const double> x, std::span<const double> y,
-                           Interpolation interpolation, double detail,
-                           std::span<Texel> out) const {
+                           Interpolation interpolation, double detail, std::span<Texel> out) const {
   Store store = Store::set;
   const double whole = std::floor(detail);
   for (const Texture& texture : textures_) {
@@ -103,8 +102,7 @@ std::vector<double> CachedOctaves::exactHeights(std::span<const glm::dvec2> poin
   return heights;
 }
 
-glm::dvec2 CachedOctaves::texelCentre(std::size_t texture, std::uint32_t i,
-                                      std::uint32_t j) const {
+glm::dvec2 CachedOctaves::texelCentre(std::size_t texture, std::uint32_t i, std::uint32_t j) const {
   const Texture& from = textures_[texture];
   return {from.drift + (i + 0.5) * from.texelSize, (j + 0.5) * from.texelSize};
 }
@@ -117,4 +115,4 @@ std::size_t CachedOctaves::memoryBytes() const {
   return count * sizeof(Texel);
 }
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "sim_bridge/cost/rivals/texel_kernels.h"
 #include "surface/field/octave.h"
-#include "tests/bench/rivals/texel_kernels.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// The seed's way to buy speed with accuracy (Johanson 2004; TECHNIQUES, "Demo settings"): eight
 /// Perlin octaves in two tiled textures of 256² texels, four octaves each on 32² … 256² lattice
@@ -56,4 +56,4 @@ class CachedOctaves {
   std::array<Texture, 2> textures_;
 };
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/bench/rivals/texel_kernels.h"
+#include "sim_bridge/cost/rivals/texel_kernels.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// A square of lattice noise at one time, repeated after `cells`, a power of two: PerlinOctave's
 /// noise with unit variance, without rotation and drift.
@@ -33,4 +33,4 @@ class PeriodicNoise {
   std::vector<Gradient> gradients_;
 };
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals

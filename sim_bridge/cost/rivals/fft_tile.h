@@ -8,17 +8,17 @@
 #include <span>
 #include <vector>
 
+#include "sim_bridge/cost/rivals/texel_kernels.h"
 #include "surface/spectra/frequency_spectrum.h"
-#include "tests/bench/rivals/texel_kernels.h"
 
-namespace seaway::bench {
+namespace seaway::rivals {
 
 /// The Fourier coefficients of a tile at t = 0, half the plane, one array a constant:
 /// H(k, t) = p e^(−iωt) + m e^(iωt).
 struct TileSpectrum {
   std::vector<float> pReal, pImaginary, mReal, mImaginary;
-  std::vector<float> kx, ky;            // rad/m
-  std::vector<double> turnsPerSecond;   // ω/2π
+  std::vector<float> kx, ky;           // rad/m
+  std::vector<double> turnsPerSecond;  // ω/2π
 };
 
 /// A periodic sea of `size`² nodes by inverse FFT: random phases on S(f) D(θ), deep water,
@@ -54,10 +54,10 @@ class FftTile {
   std::uint32_t size_;
   double length_;
   TileSpectrum spectrum_;
-  std::vector<double> amplitude_;  // of every wave vector, row by row, m
+  std::vector<double> amplitude_;                         // of every wave vector, row by row, m
   std::unique_ptr<fftwf_complex, Release> coefficients_;  // four planes: what a texel holds
   std::vector<Texel> texels_;
   std::unique_ptr<fftwf_plan_s, Release> plan_;
 };
 
-}  // namespace seaway::bench
+}  // namespace seaway::rivals
