@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -9,8 +8,8 @@
 #include "render/gl/object_pass.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
-#include "render/gl/sky_pass.h"
 #include "render/headless_context.h"
+#include "render/lighting_decision.h"
 #include "render/projector.h"
 #include "render/render_technique.h"
 #include "surface/input_error.h"
@@ -34,31 +33,6 @@ void check(const ProjectedGridOptions& options) {
   if (!(options.projectorElevation > 0.0 && std::isfinite(options.projectorElevation))) {
     throw InputError("projected grid: projector elevation must be above 0 m and finite");
   }
-}
-
-glm::dvec3 towardsSun(const Light& light) {
-  return {std::cos(light.sunElevation) * std::cos(light.sunDirection),
-          std::cos(light.sunElevation) * std::sin(light.sunDirection),
-          std::sin(light.sunElevation)};
-}
-
-/// Depth runs from 1 at the near plane to 0 at infinity, which spreads a float's precision evenly
-/// over distances; nothing is cut off far away.
-glm::mat4 reversedClipFromRelativeWorld(const Camera& camera) {
-  glm::dmat4 clipFromEye = camera.clipFromEye();
-  for (int column = 0; column < 4; ++column) clipFromEye[column][2] = 0.0;
-  clipFromEye[3][2] = camera.nearDistance;
-  return glm::mat4(clipFromEye * camera.eyeFromRelativeWorld());
-}
-
-/// Whether any ray of the picture goes above the horizontal: if one does, one at a corner does.
-bool seesAboveHorizon(const Camera& camera) {
-  const glm::dvec2 last = glm::dvec2(camera.size) - 0.5;
-  for (const glm::dvec2 pixel : {glm::dvec2(-0.5, -0.5), glm::dvec2(last.x, -0.5),
-                                 glm::dvec2(-0.5, last.y), last}) {
-    if (camera.rayThrough(pixel).z > 0.0) return true;
-  }
-  return false;
 }
 
 class ProjectedGridTechnique final : public RenderTechnique {
@@ -86,12 +60,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   }
   void prepareTargets(const Camera& camera);
   bool placeSea(const View& view, FrameStats& stats);
-  struct Drawn {
-    bool water = false, objects = false, underWater = false;
-  };
-  Drawn drawGeometry(const View& view, FrameStats& stats);
-  ShadingInput decideLight(const View& view, const Drawn& drawn);
-  void shade(const View& view, const Drawn& drawn, FrameStats& stats);
+  Shown drawGeometry(const View& view, FrameStats& stats);
+  void shade(const View& view, const Shown& shown, FrameStats& stats);
   void holdMemory(EffectLedger& effects) const;
 
   HeadlessContext& context_;
@@ -100,7 +70,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::optional<FrameTargets> targets_;
   std::unique_ptr<SeaGeometryPass> sea_;
   std::optional<ObjectPass> objects_;
-  std::optional<SkyPass> sky_;
+  std::optional<SkyDome> sky_;
   std::optional<ShadingPass> shading_;
 };
 
@@ -141,16 +111,16 @@ bool ProjectedGridTechnique::placeSea(const View& view, FrameStats& stats) {
   return true;
 }
 
-ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& view,
-                                                                   FrameStats& stats) {
-  Drawn drawn;
+Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) {
+  Shown shown;
   const Clock::time_point start = Clock::now();
-  if (view.water) drawn.water = placeSea(view, stats);
+  if (view.water) shown.water = placeSea(view, stats);
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
   const glm::dvec3 eye = view.camera.position;
-  drawn.underWater = drawn.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
-  if (drawn.water) view.effects->charge(Effect::water, 1e3 * fillMs);
+  shown.cameraIsUnderWater =
+      shown.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
+  if (shown.water) view.effects->charge(Effect::water, 1e3 * fillMs);
 
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->geometry);
   glViewport(0, 0, targets_->size.x, targets_->size.y);
@@ -165,19 +135,14 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 
-  const glm::mat4 clipFromRelativeWorld = reversedClipFromRelativeWorld(view.camera);
-  if (drawn.water) {
+  const glm::mat4 clipFromRelativeWorld(reversedClipFromRelativeWorld(view.camera));
+  if (shown.water) {
     timed(view, stats, "water", Effect::water, [&] {
-      sea_->draw(*targets_, clipFromRelativeWorld, drawn.underWater);
+      sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater);
     });
   }
-  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
-                                     [&](const auto& o) { return inView(o, view.camera); });
-  drawn.objects =
-      view.effects->decide(Effect::vesselMeshes, anyInView,
-                           anyInView ? "a vessel is in the camera's view" : "no vessel in view") &&
-      anyInView;
-  if (drawn.objects) {
+  shown.objects = decideObjects(view);
+  if (shown.objects) {
     timed(view, stats, "objects", Effect::vesselMeshes, [&] {
       if (!objects_) objects_.emplace();
       objects_->draw(view.objects, view.camera, clipFromRelativeWorld);
@@ -185,43 +150,24 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   }
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_STENCIL_TEST);
-  return drawn;
+  return shown;
 }
 
-ShadingInput ProjectedGridTechnique::decideLight(const View& view, const Drawn& drawn) {
-  ShadingInput input;
-  input.view = &view;
-  input.sunDirection = glm::vec3(towardsSun(view.light));
-  const bool sunIsUp = input.sunDirection.z > -0.01f;  // its disc is half a degree wide
-  const bool skyIsSeen = drawn.water || seesAboveHorizon(view.camera);
-  const bool sunIsSeen = sunIsUp && (skyIsSeen || drawn.objects);
-  input.sunIsOn = view.effects->decide(Effect::sun, sunIsSeen,
-                                       sunIsSeen ? "the sun is up"
-                                       : sunIsUp ? "nothing that it lights is in view"
-                                                 : "the sun is below the horizon");
-  const char* sky = drawn.water ? "water reflects it"
-                    : skyIsSeen ? "the camera sees above the horizon"
-                                : "nothing shows or reflects it";
-  if (view.effects->decide(Effect::sky, skyIsSeen, sky)) {
-    if (!sky_) sky_.emplace();
-    input.skyDome = sky_->dome();
-  }
-  return input;
-}
-
-void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameStats& stats) {
+void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameStats& stats) {
   glBindVertexArray(noVertices_);
-  ShadingInput input = decideLight(view, drawn);
-  if (input.skyDome != 0) {
-    timed(view, stats, "sky", Effect::sky, [&] { sky_->draw(input.sunDirection); });
-  }
-  input.waterIsOn = drawn.water;
-  input.objectsAreOn = drawn.objects;
-  input.cameraIsUnderWater = drawn.underWater;
+  Lighting lighting;
+  timed(view, stats, "sky", std::nullopt, [&] { lighting = decideLighting(view, shown, sky_); });
+  if (lighting.sky) view.effects->charge(Effect::sky, 1e3 * stats.passesMs.back().second);
+  if (!lighting.sky) stats.passesMs.pop_back();
+  ShadingInput input;
+  input.constants = shadingConstants(view, lighting);
+  input.sky = lighting.sky;
+  input.waterIsOn = shown.water;
+  input.objectsAreOn = shown.objects;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
-  const auto payer = drawn.water            ? std::optional(Effect::water)
-                     : input.skyDome != 0 ? std::optional(Effect::sky)
-                                          : std::nullopt;
+  const auto payer = shown.water    ? std::optional(Effect::water)
+                     : lighting.sky ? std::optional(Effect::sky)
+                                    : std::nullopt;
   timed(view, stats, "shading", payer, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);
@@ -233,7 +179,9 @@ void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
   const std::size_t water =
       (sea_ ? sea_->memoryBytes() : 0) + (shading_ ? shading_->waterMemoryBytes() : 0);
   if (water > 0) effects.holdMemory(Effect::water, water);
-  if (sky_) effects.holdMemory(Effect::sky, sky_->memoryBytes());
+  if (sky_) {
+    effects.holdMemory(Effect::sky, sky_->memoryBytes() + (shading_ ? shading_->skyMemoryBytes() : 0));
+  }
   if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
 }
 
@@ -247,8 +195,8 @@ Frame ProjectedGridTechnique::draw(const View& view) {
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();
   frame.stats.renderer = context_.renderer();
-  const Drawn drawn = drawGeometry(view, frame.stats);
-  shade(view, drawn, frame.stats);
+  const Shown shown = drawGeometry(view, frame.stats);
+  shade(view, shown, frame.stats);
   timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
   timed(view, frame.stats, "smoothing", std::nullopt,
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });

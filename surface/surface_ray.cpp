@@ -5,25 +5,25 @@
 #include <glm/geometric.hpp>
 
 #include "surface/constants.h"
+#include "surface/curvature.h"
 
 namespace seaway {
 
-std::optional<double> distanceToWater(const WaterSurface& water, double time, glm::dvec3 origin,
+std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 origin,
                                       glm::dvec3 direction, const RayOptions& options) {
   const double level = glm::length(glm::dvec2(direction));
   const double bound = water.heightBound();
   double meanSquare = 0.0;
-  for (const Octave& octave : water.waves().octaves()) meanSquare += meanSquareSlope(octave);
+  for (const Octave& octave : water.waves().field().octaves()) meanSquare += meanSquareSlope(octave);
   const double steepest = 6.0 * std::sqrt(meanSquare);
   const double curvature = options.curved ? 1.0 / earthMeanRadius : 0.0;
 
   const auto aboveStillWater = [&](double distance) {
-    return origin.z + direction.z * distance +
-           0.5 * curvature * level * level * distance * distance;
+    return origin.z + direction.z * distance + (options.curved ? seaDrop(level * distance) : 0.0);
   };
   const auto aboveWater = [&](double distance) {
     const glm::dvec2 point = glm::dvec2(origin) + glm::dvec2(direction) * distance;
-    return aboveStillWater(distance) - water.sample(point, time).height;
+    return aboveStillWater(distance) - water.sample(point, {.derivatives = false}).height;
   };
 
   double before = options.nearDistance;

@@ -24,7 +24,7 @@ struct RayOptions {
 /// the steepest slope to be expected (six standard deviations of slope), never less than
 /// `leastStep` times the distance; a crest thinner than that may be missed. The crossing is then
 /// bisected to `tolerance`. Thread-safe.
-std::optional<double> distanceToWater(const WaterSurface& water, double time, glm::dvec3 origin,
+std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 origin,
                                       glm::dvec3 direction, const RayOptions& options = {});
 
 }  // namespace seaway

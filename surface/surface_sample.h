@@ -56,7 +56,13 @@ struct SampleOptions {
   double tolerance = 0.0;
   /// Shortest waves wanted, m; ≥ 0. Octaves whose dominant wavelength is shorter are left out.
   double shortestWavelength = 0.0;
+  /// Fill slope and ∂η/∂t; without them (and without `orbitalVelocity`, which needs them) they are
+  /// NaN and a sample is some 15 % cheaper.
+  bool derivatives = true;
   bool orbitalVelocity = false;  ///< fill SurfaceSample::orbitalVelocity
+  /// Handle of a vessel whose own waves are left out, 0 for none: a hull's wave-making is in its
+  /// resistance, it must not feel it twice. Without wakes in the scene there is nothing to leave out.
+  std::uint32_t excludeVessel = 0;
 };
 
 /// The shortest wavelength that matters to a hull of a length in m: a quarter of it. Pressures of

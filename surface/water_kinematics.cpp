@@ -1,5 +1,7 @@
 #include "surface/water_kinematics.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,11 +37,10 @@ WaterKinematics invalid(double surface, SampleStatus status) {
   return {surface, glm::dvec3(nan), glm::dvec3(nan), nan, nan, status};
 }
 
-/// Height at a point, or what forbids kinematics there.
-WaterKinematics atSurface(const WaveField& waves, const glm::dvec3& point, double t) {
-  const glm::dvec2 place(point);
-  SurfaceSample sample;
-  waves.sampleReference(std::span(&place, 1), t, std::span(&sample, 1));
+/// What a point is given where the surface above it is `sample`: a height to stretch, or what forbids
+/// kinematics there.
+WaterKinematics under(const SurfaceSample& sample, const WaveField& waves,
+                      const glm::dvec3& point) noexcept {
   const double depth = waves.settings().depth;
   if (std::isnan(sample.height)) return invalid(sample.height, sample.status);
   if (!std::isfinite(point.z)) return invalid(sample.height, SampleStatus::notFinite);
@@ -50,8 +51,11 @@ WaterKinematics atSurface(const WaveField& waves, const glm::dvec3& point, doubl
   if (point.z > sample.height) return invalid(sample.height, SampleStatus::aboveSurface);
   WaterKinematics result;
   result.surfaceHeight = sample.height;
+  result.status = sample.status;
   return result;
 }
+
+constexpr double weightDensity = seaWaterDensity * standardGravity;  // N/m³
 
 void add(const GroupOctave& octave, const WaveField& waves, const glm::dvec3& point, double t,
          WaterKinematics& sum) {
@@ -66,21 +70,60 @@ void add(const GroupOctave& octave, const WaveField& waves, const glm::dvec3& po
   sum.velocity += glm::dvec3(along * part.height, rate * decay.vertical);
   sum.acceleration +=
       glm::dvec3(along * rate, -omega * omega * part.height * decay.vertical);
-  sum.dynamicPressure += seaWaterDensity * standardGravity * part.height * decay.pressure;
+  sum.dynamicPressure += weightDensity * part.height * decay.pressure;
+}
+
+/// Kinematics of up to a tile of points.
+void sampleTile(const FieldAtTime& now, std::span<const glm::dvec3> points,
+                std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
+  const WaveField& waves = now.field();
+  const std::size_t count = points.size();
+  std::array<glm::dvec2, pointsPerTile> places;
+  std::array<SurfaceSample, pointsPerTile> surface;
+  std::array<float, pointsPerTile> stretched, head;
+  std::array<glm::vec3, pointsPerTile> velocity, acceleration;
+  for (std::size_t i = 0; i < count; ++i) places[i] = glm::dvec2(points[i]);
+  const std::span<const glm::dvec2> at(places.data(), count);
+  SampleOptions heights = options;
+  heights.derivatives = heights.orbitalVelocity = false;
+  now.sample(at, std::span(surface.data(), count), heights);
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = under(surface[i], waves, points[i]);
+    const double z = stretchedHeight(points[i].z, surface[i].height, waves.settings().depth);
+    stretched[i] = std::isnan(out[i].pressure) ? 0.0f : static_cast<float>(z);
+  }
+  now.sampleBelow(at, std::span(stretched.data(), count), {head, velocity, acceleration}, heights);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isnan(out[i].pressure)) continue;
+    out[i].velocity = velocity[i];
+    out[i].acceleration = acceleration[i];
+    out[i].dynamicPressure = weightDensity * head[i];
+    out[i].pressure = out[i].dynamicPressure - weightDensity * points[i].z;
+  }
 }
 
 }  // namespace
 
-void sampleKinematics(const WaveField& waves, std::span<const glm::dvec3> points, double t,
-                      std::span<WaterKinematics> out) {
+void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points,
+                      std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
+  for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
+    const std::size_t count = std::min(pointsPerTile, points.size() - first);
+    sampleTile(now, points.subspan(first, count), out.subspan(first, count), options);
+  }
+}
+
+void sampleKinematicsReference(const WaveField& waves, std::span<const glm::dvec3> points, double t,
+                               std::span<WaterKinematics> out) noexcept {
   const OctaveLists lists = waves.lists();
   for (std::size_t p = 0; p < points.size(); ++p) {
-    out[p] = atSurface(waves, points[p], t);
-    if (out[p].status != SampleStatus::ok) continue;
+    const glm::dvec2 place(points[p]);
+    SurfaceSample sample;
+    waves.sampleReference(std::span(&place, 1), t, std::span(&sample, 1));
+    out[p] = under(sample, waves, points[p]);
+    if (std::isnan(out[p].pressure)) continue;
     for (const GroupOctave& octave : lists.groups) add(octave, waves, points[p], t, out[p]);
     for (const GroupOctave& octave : lists.regulars) add(octave, waves, points[p], t, out[p]);
-    out[p].pressure =
-        out[p].dynamicPressure - seaWaterDensity * standardGravity * points[p].z;
+    out[p].pressure = out[p].dynamicPressure - weightDensity * points[p].z;
   }
 }
 

@@ -18,7 +18,7 @@ struct WaterKinematics {
 };
 
 /// Linear wave kinematics of group octaves and regular waves at `points` (sea plane; z above the
-/// still-water level, m) and time `t` (s). `out` has at least the size of `points`.
+/// still-water level, m) at the time of `now`. `out` has at least the size of `points`.
 ///
 /// Velocities are ηᵢωᵢ cosh k(z' + d)/sinh kd along the wave and Dηᵢ/Dt sinh k(z' + d)/sinh kd
 /// upwards; accelerations follow with ∂/∂t → D/Dt and −ωᵢ²ηᵢ. The height is stretched so that z' = 0
@@ -27,9 +27,16 @@ struct WaterKinematics {
 /// and in an octave's bandwidth.
 ///
 /// A point above the surface or in the bed, or where η falls to the bed, gets NaN and a status bit;
-/// so do all points of a field with Perlin octaves. Double precision, some 0.1 µs a point and
-/// octave. Thread-safe, allocates nothing.
-void sampleKinematics(const WaveField& waves, std::span<const glm::dvec3> points, double t,
-                      std::span<WaterKinematics> out);
+/// so do all points of a field with Perlin octaves. `options` leaves out octaves as in
+/// FieldAtTime::sample, from the surface height too. Float in vectors of points: velocities within
+/// 1e-5 of σω, pressures within 1e-5 ρgσ of the reference (tests/surface/water_kinematics_test.cpp).
+/// Thread-safe, allocates nothing, gives the same bits for any batch.
+void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points,
+                      std::span<WaterKinematics> out, const SampleOptions& options = {}) noexcept;
+
+/// The same in double precision throughout, octave by octave as the equations read, some 0.1 µs a
+/// point and octave: the truth that `sampleKinematics` is tested against.
+void sampleKinematicsReference(const WaveField& waves, std::span<const glm::dvec3> points, double t,
+                               std::span<WaterKinematics> out) noexcept;
 
 }  // namespace seaway

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "render/headless_context.h"
-#include "surface/surface_ray.h"
 #include "render/unproject.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/scene_view.h"
+#include "surface/surface_ray.h"
 
 namespace seaway::bridge {
 namespace {
@@ -20,10 +20,11 @@ struct TruePixel {
 std::vector<TruePixel> marchedPixels(const render::View& view, int stride) {
   std::vector<TruePixel> pixels;
   const render::Camera& camera = view.camera;
+  const SurfaceAtTime now = view.water->at(view.time);
   for (int y = stride / 2; y < camera.size.y; y += stride) {
     for (int x = stride / 2; x < camera.size.x; x += stride) {
       const glm::dvec3 ray = camera.rayThrough(glm::dvec2(x, y));
-      const auto distance = distanceToWater(*view.water, view.time, camera.position, ray);
+      const auto distance = distanceToWater(now, camera.position, ray);
       if (distance) pixels.push_back({{x, y}, *distance * glm::dot(ray, camera.forward())});
     }
   }
@@ -43,8 +44,7 @@ ImageErrors errorsOf(const render::View& view, const render::Frame& frame,
     const auto index = static_cast<std::size_t>(pixel.pixel.y * frame.depth.size.x + pixel.pixel.x);
     if (frame.classes[index] != render::PixelClass::water) continue;
     const double drawn = frame.depth.metres[index];
-    const render::SeaPoint point =
-        render::unproject(view.camera, glm::dvec2(pixel.pixel), drawn);
+    const render::SeaPoint point = render::unproject(view.camera, glm::dvec2(pixel.pixel), drawn);
     depth.push_back(std::abs(drawn - pixel.axialDepth));
     squares += std::pow(point.height - view.water->sample(point.point, view.time).height, 2);
   }
@@ -61,11 +61,15 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
   const std::string where = ", camera '" + findCamera(scene, "").name + "', " +
                             std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels";
   Study depth{"image_depth_grid",
-              "axial depth of water pixels, median; truth: ray-march of the field" + where, "m",
-              "ms/frame", {}};
+              "axial depth of water pixels, median; truth: ray-march of the field" + where,
+              "m",
+              "ms/frame",
+              {}};
   Study height{"image_height_grid",
-               "height of the drawn surface against the field queried there, rms" + where, "m",
-               "ms/frame", {}};
+               "height of the drawn surface against the field queried there, rms" + where,
+               "m",
+               "ms/frame",
+               {}};
   const Simulation simulation(scene, sea);
   const auto context = render::makeHeadlessContext(options.backend);
   SceneView sceneView(scene);
@@ -73,12 +77,13 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
   render::View view = sceneView.view(simulation, findCamera(scene, ""), size, ledger);
   const std::vector<TruePixel> truth = marchedPixels(view, options.quick ? 8 : 4);
   if (truth.empty()) return {};
-  const std::vector<int> grids =
-      options.quick ? std::vector<int>{32, 128, 512} : std::vector<int>{32, 64, 128, 256, 512, 1024};
+  const std::vector<int> grids = options.quick ? std::vector<int>{32, 128, 512}
+                                               : std::vector<int>{32, 64, 128, 256, 512, 1024};
   for (const int side : grids) {
     const auto technique = render::makeProjectedGrid(*context, {.grid = {side, side}});
     render::Frame frame;
-    const Timing timing = timeRepeated([&] { frame = technique->draw(view); }, options.quick ? 3 : 5);
+    const Timing timing =
+        timeRepeated([&] { frame = technique->draw(view); }, options.quick ? 3 : 5);
     const ImageErrors errors = errorsOf(view, frame, truth);
     const std::string setting = "grid " + std::to_string(side) + "x" + std::to_string(side);
     depth.points.push_back({setting, errors.depth, 1e3 * timing.median, 1e3 * timing.spread});

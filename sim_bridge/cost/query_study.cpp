@@ -26,7 +26,9 @@ double rmsDifference(const std::vector<SurfaceSample>& a, const std::vector<Surf
 Study studyQueryOctaves(const Sea& sea, const StudyOptions& options) {
   Study study{"query_octaves",
               "height of random points within 10 km, batches of 1024; truth: all octaves",
-              "m", "ns/point", {}};
+              "m",
+              "ns/point",
+              {}};
   constexpr std::size_t batch = 1024;
   const WaterSurface& water = sea.surface;
   const auto points = randomPoints(options.quick ? 8 * batch : 32 * batch);

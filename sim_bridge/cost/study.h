@@ -44,6 +44,10 @@ Timing timeRepeated(const std::function<void()>& work, int repetitions);
 /// Height error (m rms) against ns a point, by number of octaves kept. Truth: all octaves.
 Study studyQueryOctaves(const Sea& sea, const StudyOptions& options);
 
+/// Two studies of other ways to make the scene's sea beside the wave field, ns a point: residual of
+/// the spectrum each stands for, and height error (m rms) against its own exact field.
+std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options);
+
 /// Two studies of the scene's first camera, by grid size, ms a frame: axial depth of water pixels
 /// (median m) against a ray-march, and height of the field where pixels lie (rms m).
 std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);

@@ -16,15 +16,14 @@ FieldAtTime::FieldAtTime(const WaveField& field, double t) : field_(&field), tim
 void FieldAtTime::sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
                          const SampleOptions& options) const noexcept {
   const WaveField::Selection selection = field_->select(options);
-  Tile tile(selection.orbital);
+  Tile tile(selection.what);
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
     tile.load(points.subspan(first, count));
     for (const FieldSection& section : sections_) {
       section.addBatch(selection.kept, tile.x(), tile.y(), count, tile.sums());
     }
-    field_->finish(points.subspan(first, count), time_, selection, tile,
-                   out.subspan(first, count));
+    field_->finish(points.subspan(first, count), time_, selection, tile, out.subspan(first, count));
   }
 }
 
@@ -32,29 +31,22 @@ SurfaceSample FieldAtTime::sample(glm::dvec2 point, const SampleOptions& options
   const WaveField::Selection selection = field_->select(options);
   SurfaceSample result = field_->blank(point, time_, selection);
   if (std::isnan(result.height)) return result;
-  float height = 0.0f, slopeX = 0.0f, slopeY = 0.0f, rate = 0.0f, orbitalX = 0.0f, orbitalY = 0.0f;
-  const bool orbital = selection.orbital;
-  const FieldSums sums{&height, &slopeX, &slopeY, &rate, orbital ? &orbitalX : nullptr,
-                       orbital ? &orbitalY : nullptr};
+  float values[mostSums] = {};
+  FieldSums sums{selection.what, {}, nullptr, 0.0f};
+  for (std::size_t n = 0; n < mostSums; ++n) sums.sum[n] = &values[n];
   for (const FieldSection& section : sections_) {
     section.addPoint(selection.kept, point.x, point.y, sums);
   }
-  result.height = height;
-  result.slope = {slopeX, slopeY};
-  result.verticalVelocity = rate;
+  storeSums(selection.what, values, field_->settings().current, result);
   result.bound = field_->bound(glm::length(point));
-  if (orbital && !has(result.status, SampleStatus::noKinematics)) {
-    result.orbitalVelocity = {orbitalX, orbitalY,
-                              result.verticalVelocity +
-                                  glm::dot(field_->settings().current, result.slope)};
-  }
   return result;
 }
 
 void FieldAtTime::sample(std::span<const double> x, std::span<const double> y, const Arrays& out,
                          const SampleOptions& options) const noexcept {
   const KeptOctaves kept = field_->select(options).kept;
-  Tile tile(false);
+  const bool heightOnly = out.slopeX.empty() && out.slopeY.empty() && out.rate.empty();
+  Tile tile(heightOnly ? Quantities::height : Quantities::surface);
   for (std::size_t first = 0; first < x.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, x.size() - first);
     tile.load(x.subspan(first, count), y.subspan(first, count));
@@ -70,10 +62,32 @@ void FieldAtTime::sample(std::span<const double> x, std::span<const double> y, c
         if (!field_->serves({x[first + i], y[first + i]}, time_)) to[first + i] = std::nanf("");
       }
     };
-    copy(sums.height, out.height);
-    copy(sums.slopeX, out.slopeX);
-    copy(sums.slopeY, out.slopeY);
-    copy(sums.rate, out.rate);
+    copy(sums.sum[0], out.height);
+    if (heightOnly) continue;
+    copy(sums.sum[1], out.slopeX);
+    copy(sums.sum[2], out.slopeY);
+    copy(sums.sum[3], out.rate);
+  }
+}
+
+void FieldAtTime::sampleBelow(std::span<const glm::dvec2> points, std::span<const float> stretched,
+                              const Motion& out, const SampleOptions& options) const noexcept {
+  const KeptOctaves kept = field_->select(options).kept;
+  const std::size_t count = points.size();
+  const bool moves = !out.velocity.empty();
+  Tile tile(moves ? Quantities::motion : Quantities::pressure,
+            static_cast<float>(field_->settings().depth));
+  tile.load(points);
+  tile.loadStretched(stretched);
+  const FieldSums sums = tile.sums();
+  for (const FieldSection& section : sections_) {
+    section.addBatch({kept.groups, 0, kept.regulars, kept.shortestWavelength}, tile.x(), tile.y(),
+                     count, sums);
+  }
+  std::copy_n(sums.sum[moves ? 6 : 0], count, out.head.begin());
+  for (std::size_t i = 0; moves && i < count; ++i) {
+    out.velocity[i] = {sums.sum[0][i], sums.sum[1][i], sums.sum[2][i]};
+    out.acceleration[i] = {sums.sum[3][i], sums.sum[4][i], sums.sum[5][i]};
   }
 }
 

@@ -1,6 +1,7 @@
 #include "surface/field/field_section.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "surface/constants.h"
 
@@ -26,14 +27,26 @@ void setDerivative(DerivativeFactors& factors, std::size_t i, std::size_t which,
   factors.rate[which][i] = static_cast<float>(scale * coordinate.rate);
 }
 
-template <class Block>
-void setOrbital(Block& block, std::size_t i, const GroupOctave& octave, double scale) {
-  const glm::dvec2 velocity = scale * octave.orbitalVelocityPerHeight();
-  block.orbitalX[i] = static_cast<float>(velocity.x);
-  block.orbitalY[i] = static_cast<float>(velocity.y);
+/// One term of Dη/Dt: as ∂η/∂t, but at a place that drifts with the current.
+void setMaterialRate(MotionFactors& motion, std::size_t i, std::size_t which,
+                     const LinearCoordinate& coordinate, glm::dvec2 current, double scale) {
+  const double rate = coordinate.rate + glm::dot(current, coordinate.gradient);
+  motion.materialRate[which][i] = static_cast<float>(scale * rate);
 }
 
-void fill(GroupBlock& block, std::size_t i, const GroupOctave& octave, double t) {
+void setMotion(MotionFactors& motion, std::size_t i, const GroupOctave& octave) {
+  const glm::dvec2 along = octave.orbitalVelocityPerHeight();
+  motion.waveNumber[i] = static_cast<float>(2.0 * pi / octave.wavelength());
+  motion.alongX[i] = static_cast<float>(along.x);
+  motion.alongY[i] = static_cast<float>(along.y);
+  motion.squaredFrequency[i] =
+      static_cast<float>(octave.angularFrequency() * octave.angularFrequency());
+  motion.horizontal[i] = static_cast<float>(1.0 / (1.0 + octave.bedDecay()));
+  motion.vertical[i] = static_cast<float>(1.0 / (1.0 - octave.bedDecay()));
+}
+
+void fill(GroupBlock& block, std::size_t i, const GroupOctave& octave, glm::dvec2 current,
+          double t) {
   const GroupAtTime now = octave.at(t);
   set(block.along, i, now.along, 0.5);
   set(block.across, i, now.across, 0.5);
@@ -45,20 +58,25 @@ void fill(GroupBlock& block, std::size_t i, const GroupOctave& octave, double t)
   setDerivative(block.factors, i, 0, now.turns, 2.0 * pi * scale);
   setDerivative(block.factors, i, 1, now.along, blendRate * scale);
   setDerivative(block.factors, i, 2, now.across, blendRate * scale);
-  setOrbital(block, i, octave, scale);
+  setMaterialRate(block.motion, i, 0, now.turns, current, 2.0 * pi * scale);
+  setMaterialRate(block.motion, i, 1, now.along, current, blendRate * scale);
+  setMaterialRate(block.motion, i, 2, now.across, current, blendRate * scale);
+  setMotion(block.motion, i, octave);
   block.wavelength[i] = static_cast<float>(octave.wavelength());
 }
 
-void fill(RegularBlock& block, std::size_t i, const GroupOctave& octave, double t) {
+void fill(RegularBlock& block, std::size_t i, const GroupOctave& octave, glm::dvec2 current,
+          double t) {
   const GroupAtTime now = octave.at(t);
   set(block.turns, i, now.turns, 0.0);
   block.factors.height[i] = static_cast<float>(now.amplitude);
   setDerivative(block.factors, i, 0, now.turns, 2.0 * pi * now.amplitude);
-  setOrbital(block, i, octave, now.amplitude);
+  setMaterialRate(block.motion, i, 0, now.turns, current, 2.0 * pi * now.amplitude);
+  setMotion(block.motion, i, octave);
   block.wavelength[i] = static_cast<float>(octave.wavelength());
 }
 
-void fill(PerlinBlock& block, std::size_t i, const PerlinOctave& octave, double t) {
+void fill(PerlinBlock& block, std::size_t i, const PerlinOctave& octave, glm::dvec2, double t) {
   const PerlinOctave::AtTime now = octave.at(t);
   set(block.first, i, now.first, 0.5);
   set(block.second, i, now.second, 0.5);
@@ -78,14 +96,14 @@ void fill(PerlinBlock& block, std::size_t i, const PerlinOctave& octave, double 
 /// Fills the blocks of one section; places without an octave get zero factors.
 template <class Octave, class Block, std::size_t N>
 void fillBlocks(std::array<Block, N>& blocks, std::span<const Octave> octaves, std::size_t section,
-                double t) {
+                glm::dvec2 current, double t) {
   std::size_t next = section * N * octavesPerBlock;
   for (Block& block : blocks) {
     const std::size_t left = octaves.size() - std::min(next, octaves.size());
     if (left < octavesPerBlock) block = Block{};
     block.count = std::min(octavesPerBlock, left);
     if (block.count == 0) break;
-    for (std::size_t i = 0; i < block.count; ++i) fill(block, i, octaves[next + i], t);
+    for (std::size_t i = 0; i < block.count; ++i) fill(block, i, octaves[next + i], current, t);
     next += octavesPerBlock;
   }
 }
@@ -104,9 +122,9 @@ std::size_t FieldSection::count(const OctaveLists& lists) {
 
 void FieldSection::prepare(const OctaveLists& lists, std::size_t section, double t) noexcept {
   section_ = section;
-  fillBlocks(groups_, lists.groups, section, t);
-  fillBlocks(perlins_, lists.perlins, section, t);
-  fillBlocks(regulars_, lists.regulars, section, t);
+  fillBlocks(groups_, lists.groups, section, lists.current, t);
+  fillBlocks(perlins_, lists.perlins, section, lists.current, t);
+  fillBlocks(regulars_, lists.regulars, section, lists.current, t);
 }
 
 template <class Block, std::size_t N, class Action>

@@ -10,15 +10,16 @@
 
 namespace seaway {
 
-/// Octaves of one kind, in order of falling standard deviation.
+/// Octaves by kind, each list in order of falling standard deviation, and the current they ride on.
 struct OctaveLists {
   std::span<const GroupOctave> groups;
   std::span<const PerlinOctave> perlins;
   std::span<const GroupOctave> regulars;
+  glm::dvec2 current{0.0};  ///< m/s (east, north)
 };
 
-/// Which octaves to evaluate: so many leading ones of each list, and of those only the ones that are
-/// no shorter than a wavelength.
+/// Which octaves to evaluate: so many leading ones of each list, and of those only the ones that
+/// are no shorter than a wavelength.
 struct KeptOctaves {
   std::size_t groups = 0, perlins = 0, regulars = 0;
   float shortestWavelength = 0.0f;  ///< m

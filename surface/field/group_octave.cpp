@@ -55,6 +55,7 @@ GroupOctave::GroupOctave(const Octave& octave, std::uint64_t sceneSeed, std::uin
   const glm::dvec2 forward = unitVector(octave.toward);
   const double k = octave.waveNumber;
   direction_ = forward;
+  bedDecay_ = std::exp(-2.0 * k * depth);
   orbitalVelocityPerHeight_ = forward * (angularFrequency_ / std::tanh(k * depth));
   turns_.gradient = forward * (k / (2.0 * pi));
   turns_.rate = -(angularFrequency_ + k * glm::dot(forward, current)) / (2.0 * pi);
@@ -94,8 +95,7 @@ OctaveSample GroupOctave::sample(glm::dvec2 point, const GroupAtTime& time) cons
     a.value = 0.0;
     for (std::uint32_t j = 0; j < 2; ++j) {
       for (std::uint32_t i = 0; i < 2; ++i) {
-        const std::uint32_t hash =
-            cornerHash(cellBits(cellX) + i, cellBits(cellY) + j, time.seeds);
+        const std::uint32_t hash = cornerHash(cellBits(cellX) + i, cellBits(cellY) + j, time.seeds);
         a.add(nibblePair(hash, 0) - nibblePair(hash, 1), blendX, blendY, i, j);
         b.add(nibblePair(hash, 2) - nibblePair(hash, 3), blendX, blendY, i, j);
       }

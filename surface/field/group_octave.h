@@ -46,16 +46,19 @@ class GroupOctave {
   double peakFactor() const;
 
   glm::dvec2 direction() const { return direction_; }            ///< unit, where it goes
-  double wavelength() const { return wavelength_; }  ///< of the carrier, m
+  double wavelength() const { return wavelength_; }              ///< of the carrier, m
   double angularFrequency() const { return angularFrequency_; }  ///< ω, rad/s, without current
   /// Horizontal orbital velocity at the surface per metre of height: ω coth kd along the wave, 1/s.
   glm::dvec2 orbitalVelocityPerHeight() const { return orbitalVelocityPerHeight_; }
+  /// e^(−2kd): how much the bed is felt; 0 in deep water.
+  double bedDecay() const { return bedDecay_; }
 
  private:
   bool regular_;
   double standardDeviation_;
   double angularFrequency_;
   double wavelength_;
+  double bedDecay_;
   glm::dvec2 direction_, orbitalVelocityPerHeight_;
   LinearCoordinate along_, across_, turns_;  // at t = 0, offsets not reduced
   LatticeSeeds seeds_;

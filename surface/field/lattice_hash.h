@@ -12,8 +12,8 @@ struct LatticeSeeds {
   std::uint32_t y;
 };
 
-/// Constants of the hash. Kernels use them on premultiplied coordinates: a step of one cell along an
-/// axis adds the axis' stride.
+/// Constants of the hash. Kernels use them on premultiplied coordinates: a step of one cell along
+/// an axis adds the axis' stride.
 inline constexpr std::uint32_t latticeStrideX = 0x9E3779B1u;
 inline constexpr std::uint32_t latticeStrideY = 0x85EBCA77u;
 inline constexpr std::uint32_t latticeFirstFactor = 0x2C1B3C6Du;
@@ -23,7 +23,8 @@ inline constexpr std::uint32_t latticeSecondFactor = 0x297A2D39u;
 /// spread them (one alone leaves neighbours correlated). Independent up to lags of 2²⁶ cells
 /// (tests/surface/lattice_hash_test.cpp).
 constexpr std::uint32_t cornerHash(std::uint32_t i, std::uint32_t j, LatticeSeeds seeds) {
-  std::uint32_t h = ((i * latticeStrideX + seeds.x) ^ (j * latticeStrideY + seeds.y)) * latticeFirstFactor;
+  std::uint32_t h =
+      ((i * latticeStrideX + seeds.x) ^ (j * latticeStrideY + seeds.y)) * latticeFirstFactor;
   h ^= h >> 15;
   h *= latticeSecondFactor;
   h ^= h >> 16;

@@ -9,8 +9,8 @@
 
 namespace seaway {
 
-/// A coordinate that is linear in place and time: gradient · x + rate · t + offset, in lattice cells
-/// or in turns of phase.
+/// A coordinate that is linear in place and time: gradient · x + rate · t + offset, in lattice
+/// cells or in turns of phase.
 struct LinearCoordinate {
   glm::dvec2 gradient{0.0};  ///< cells/m or turns/m
   double rate = 0.0;         ///< cells/s or turns/s at a fixed point

@@ -52,8 +52,7 @@ Octave makeRegularWave(double amplitude, double frequency, double toward, double
   return octave;
 }
 
-Octave makePerlinOctave(double standardDeviation, double latticeSize, double toward,
-                        double depth) {
+Octave makePerlinOctave(double standardDeviation, double latticeSize, double toward, double depth) {
   Octave octave;
   octave.kind = OctaveKind::perlin;
   octave.standardDeviation = standardDeviation;

@@ -20,9 +20,9 @@ struct Octave {
   double toward = 0.0;             ///< where it goes, rad counter-clockwise from east
 
   // group and regular
-  double waveNumber = 0.0;    ///< of the carrier, rad/m, > 0
-  double phase = 0.0;         ///< of a regular wave: height is √2 a cos(k·x − ωt + phase), rad
-  double lengthAlong = 0.0;   ///< ℓ∥, cell of a group's envelope along `toward`, m, > 0
+  double waveNumber = 0.0;   ///< of the carrier, rad/m, > 0
+  double phase = 0.0;        ///< of a regular wave: height is √2 a cos(k·x − ωt + phase), rad
+  double lengthAlong = 0.0;  ///< ℓ∥, cell of a group's envelope along `toward`, m, > 0
   double lengthAcross = 0.0;  ///< ℓ⊥, cell of a group's envelope along the crests, m, > 0
 
   // perlin

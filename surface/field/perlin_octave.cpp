@@ -25,7 +25,8 @@ constexpr double gradientVariance = (256.0 * 256.0 - 1.0) / 12.0;
 /// One interpolation axis: weights of the two corners, their slopes, distances to the corners.
 struct Axis {
   explicit Axis(double u)
-      : weight{1.0 - fade(u), fade(u)}, weightSlope{-fadeSlope(u), fadeSlope(u)},
+      : weight{1.0 - fade(u), fade(u)},
+        weightSlope{-fadeSlope(u), fadeSlope(u)},
         distance{u, u - 1.0} {}
   std::array<double, 2> weight, weightSlope, distance;
 };
@@ -54,8 +55,7 @@ double noiseRms() {
 
 PerlinOctave::PerlinOctave(const Octave& octave, std::uint64_t sceneSeed, std::uint64_t index,
                            glm::dvec2 current)
-    : amplitude_(octave.standardDeviation / noiseRms()),
-      wavelength_(dominantWavelength(octave)) {
+    : amplitude_(octave.standardDeviation / noiseRms()), wavelength_(dominantWavelength(octave)) {
   const std::uint64_t seed = mixSeed(sceneSeed ^ mixSeed(index));
   const glm::dvec2 axis = unitVector(2.0 * pi * unitFromSeed(mixSeed(seed + 1)));
   const glm::dvec2 velocity = octave.driftSpeed * unitVector(octave.toward) + current;
@@ -111,8 +111,7 @@ OctaveSample PerlinOctave::sample(glm::dvec2 point, const AtTime& time) const no
   OctaveSample result;
   result.height = time.amplitude * value;
   result.slope = time.amplitude * (dx * time.first.gradient + dy * time.second.gradient);
-  result.verticalVelocity =
-      time.amplitude * (dt + dx * time.first.rate + dy * time.second.rate);
+  result.verticalVelocity = time.amplitude * (dt + dx * time.first.rate + dy * time.second.rate);
   return result;
 }
 

@@ -33,8 +33,10 @@ struct AxisPower {
 };
 
 AxisPower axisPower(double q) {
-  const double even = integrate01([&](double u) { return 2.0 * cornerWeight(u) * std::cos(2.0 * pi * q * u); });
-  const double odd = integrate01([&](double u) { return 2.0 * u * cornerWeight(u) * std::sin(2.0 * pi * q * u); });
+  const double even =
+      integrate01([&](double u) { return 2.0 * cornerWeight(u) * std::cos(2.0 * pi * q * u); });
+  const double odd =
+      integrate01([&](double u) { return 2.0 * u * cornerWeight(u) * std::sin(2.0 * pi * q * u); });
   return {even * even, odd * odd};
 }
 
@@ -44,7 +46,8 @@ class Table {
     const auto count = static_cast<std::size_t>(std::lround(largestQ / stepQ)) + 1;
     for (std::size_t i = 0; i < count; ++i) axis_.push_back(axisPower(i * stepQ));
     const double m0 = 2.0 * integrate01([](double u) { return cornerWeight(u) * cornerWeight(u); });
-    const double m2 = 2.0 * integrate01([](double u) { return u * u * cornerWeight(u) * cornerWeight(u); });
+    const double m2 =
+        2.0 * integrate01([](double u) { return u * u * cornerWeight(u) * cornerWeight(u); });
     for (std::size_t i = 0; i < count; ++i) density_.push_back(ring(i * stepQ, m0 * m2));
   }
 

@@ -110,20 +110,24 @@ std::size_t WaveField::octavesFor(double tolerance) const {
 }
 
 WaveField::Selection WaveField::select(const SampleOptions& options) const noexcept {
-  const std::size_t count = options.tolerance > 0.0 ? octavesFor(options.tolerance) : octaves_.size();
-  Selection selection{keptByKind_[count], leftOut_[count], SampleStatus::ok, options.orbitalVelocity};
+  const std::size_t count =
+      options.tolerance > 0.0 ? octavesFor(options.tolerance) : octaves_.size();
+  const Quantities what = options.orbitalVelocity ? Quantities::orbital
+                          : options.derivatives   ? Quantities::surface
+                                                  : Quantities::height;
+  Selection selection{keptByKind_[count], leftOut_[count], SampleStatus::ok, what};
   if (options.shortestWavelength > 0.0) {
     selection.kept.shortestWavelength = static_cast<float>(options.shortestWavelength);
     double variance = leftOut_[count] * leftOut_[count];
     for (std::size_t i = 0; i < count; ++i) {
-      const bool kept = static_cast<float>(dominantWavelength(octaves_[i])) >=
-                        selection.kept.shortestWavelength;
+      const bool kept =
+          static_cast<float>(dominantWavelength(octaves_[i])) >= selection.kept.shortestWavelength;
       if (!kept) variance += octaves_[i].standardDeviation * octaves_[i].standardDeviation;
     }
     selection.error = std::sqrt(variance);
   }
   if (selection.error > 0.0) selection.status |= SampleStatus::truncated;
-  if (selection.orbital && selection.kept.perlins > 0) {
+  if (what == Quantities::orbital && selection.kept.perlins > 0) {
     selection.status |= SampleStatus::noKinematics;
   }
   return selection;
@@ -139,6 +143,9 @@ SurfaceSample WaveField::blank(glm::dvec2 point, double t,
   if (serves(point, t)) {
     sample.error = selection.error;
     sample.status = selection.status;
+    if (selection.what == Quantities::height) {
+      sample.slope.x = sample.slope.y = sample.verticalVelocity = nan;
+    }
     return sample;
   }
   sample.height = sample.slope.x = sample.slope.y = sample.verticalVelocity = nan;
@@ -148,9 +155,8 @@ SurfaceSample WaveField::blank(glm::dvec2 point, double t,
   return sample;
 }
 
-void WaveField::finish(std::span<const glm::dvec2> points, double t,
-                       const Selection& selection, const Tile& tile,
-                       std::span<SurfaceSample> out) const noexcept {
+void WaveField::finish(std::span<const glm::dvec2> points, double t, const Selection& selection,
+                       const Tile& tile, std::span<SurfaceSample> out) const noexcept {
   for (std::size_t p = 0; p < points.size(); ++p) {
     SurfaceSample sample = blank(points[p], t, selection);
     if (!std::isnan(sample.height)) {
@@ -167,7 +173,7 @@ void WaveField::sample(std::span<const glm::dvec2> points, double t, std::span<S
   const std::size_t sections = serves({0.0, 0.0}, t) ? FieldSection::count(lists()) : 0;
   FieldSection section;
   if (sections > 0) section.prepare(lists(), 0, t);
-  Tile tile(selection.orbital);
+  Tile tile(selection.what);
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
     tile.load(points.subspan(first, count));
@@ -187,7 +193,7 @@ void WaveField::sampleReference(std::span<const glm::dvec2> points, double t,
   const Selection selection = select(options);
   for (std::size_t p = 0; p < points.size(); ++p) {
     out[p] = blank(points[p], t, selection);
-    const bool defined = selection.orbital && !std::isnan(out[p].height) &&
+    const bool defined = options.orbitalVelocity && !std::isnan(out[p].height) &&
                          !has(out[p].status, SampleStatus::noKinematics);
     if (defined) out[p].orbitalVelocity = glm::dvec3(0.0);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <span>
 #include <vector>
@@ -84,7 +85,7 @@ class WaveField {
   double bound(double reach) const noexcept;
 
   /// The octaves' reference evaluators by kind, each in order of falling standard deviation.
-  OctaveLists lists() const { return {groups_, perlins_, regulars_}; }
+  OctaveLists lists() const { return {groups_, perlins_, regulars_, settings_.current}; }
 
   std::size_t memoryBytes() const;
 
@@ -96,7 +97,7 @@ class WaveField {
     KeptOctaves kept;
     double error = 0.0;  // standard deviation left out, m
     SampleStatus status = SampleStatus::ok;
-    bool orbital = false;
+    Quantities what = Quantities::surface;
   };
   Selection select(const SampleOptions& options) const noexcept;
   SurfaceSample blank(glm::dvec2 point, double t, const Selection& selection) const noexcept;
@@ -127,12 +128,26 @@ class FieldAtTime {
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept;
 
   /// The same values as arrays of floats, the cheapest form: `x` and `y` of n points, n elements in
-  /// each span that is not empty. Points that are not finite give NaN.
+  /// each span that is not empty; where all but the height are, they are not computed. Points that
+  /// are not finite give NaN.
   struct Arrays {
     std::span<float> height, slopeX, slopeY, rate;
   };
   void sample(std::span<const double> x, std::span<const double> y, const Arrays& out,
               const SampleOptions& options = {}) const noexcept;
+
+  /// Dynamic pressure head Σ ηᵢ cosh k(z' + d)/cosh kd, m, and motion of the water at stretched
+  /// heights z' ≤ 0 (m; see sampleKinematics, which is the call to use): `x`, `y` and `stretched`
+  /// of n ≤ pointsPerTile points. Where `out` has no velocity only the pressure is computed.
+  /// Octaves without kinematics add nothing.
+  struct Motion {
+    std::span<float> head;
+    std::span<glm::vec3> velocity, acceleration;  ///< m/s, m/s²
+  };
+  void sampleBelow(std::span<const glm::dvec2> points, std::span<const float> stretched,
+                   const Motion& out, const SampleOptions& options = {}) const noexcept;
+
+  const WaveField& field() const { return *field_; }
 
  private:
   const WaveField* field_;

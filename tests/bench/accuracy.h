@@ -7,8 +7,8 @@ namespace seaway::bench {
 
 /// What a rival's answers are worth.
 struct Accuracy {
-  double heightError = 0.0;      ///< rms against the rival's own exact field, m
-  double spectralResidual = 0.0; ///< √(∫(M − S)²/∫S²) of what it stands for
+  double heightError = 0.0;       ///< rms against the rival's own exact field, m
+  double spectralResidual = 0.0;  ///< √(∫(M − S)²/∫S²) of what it stands for
   std::size_t memoryBytes = 0;
 };
 

@@ -3,14 +3,17 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "surface/field/kernels/field_blocks.h"
+#include "surface/parallel_sampling.h"
+#include "surface/water_kinematics.h"
 #include "tests/bench/setups.h"
 
 namespace seaway::bench {
@@ -88,18 +91,45 @@ Work batchOf(OctaveKind kind, std::size_t batch) {
   });
 }
 
-Work halvesOnTwoThreads(std::size_t batch) {
+Work onTwoThreads(std::size_t batch) {
   const FieldAtTime& now = preparedField(OctaveKind::group).now;
   return onArrays(batch, [&now](const BenchPoints& at, BenchArrays& out) {
-    const auto half = [&](std::size_t first) {
-      const std::size_t count = at.x.size() / 2;
-      const auto part = [&](std::vector<float>& of) { return std::span(of).subspan(first, count); };
-      now.sample(std::span(at.x).subspan(first, count), std::span(at.y).subspan(first, count),
-                 {part(out.height), part(out.slopeX), part(out.slopeY), part(out.rate)});
-    };
-    const std::jthread other(half, at.x.size() / 2);
-    half(0);
+    sampleInParallel(now, at.x, at.y, out.arrays(), {}, 2);
   });
+}
+
+Work heights(std::size_t batch) {
+  const FieldAtTime& now = preparedField(OctaveKind::group).now;
+  return onArrays(batch, [&now](const BenchPoints& at, BenchArrays& out) {
+    now.sample(at.x, at.y, {.height = out.height, .slopeX = {}, .slopeY = {}, .rate = {}});
+  });
+}
+
+/// Points within 1e-14 cells of the lattice lines and of the cells' middles of the strongest
+/// octave: where fractions might become denormal numbers.
+Work besideLatticeLines(std::size_t batch) {
+  const PreparedField& prepared = preparedField(OctaveKind::group);
+  const GroupAtTime octave = prepared.field.lists().groups[0].at(benchTime);
+  const auto points = std::make_shared<BenchPoints>(batch);
+  for (std::size_t i = 0; i < batch; ++i) {
+    const double cell = std::floor(0.01 * points->x[i]) + (i % 4 < 2 ? 0.0 : 0.5);
+    const double metres = (cell + (i % 2 ? 1e-14 : -1e-14) - octave.along.offset) /
+                          glm::length(octave.along.gradient);
+    const glm::dvec2 at = metres * glm::normalize(octave.along.gradient);
+    points->x[i] = at.x;
+    points->y[i] = at.y;
+  }
+  const auto out = std::make_shared<BenchArrays>(batch);
+  return [=, &prepared] { prepared.now.sample(points->x, points->y, out->arrays()); };
+}
+
+/// Velocity, acceleration and pressure one metre down.
+Work motion(std::size_t batch) {
+  const FieldAtTime& now = preparedField(OctaveKind::group).now;
+  std::vector<glm::dvec3> points;
+  for (const glm::dvec2& point : BenchPoints(batch).points) points.emplace_back(point, -1.0);
+  const auto out = std::make_shared<std::vector<WaterKinematics>>(batch);
+  return [=, &now] { sampleKinematics(now, points, *out); };
 }
 
 /// Work on points as vectors and whole samples.
@@ -112,16 +142,14 @@ Work onSamples(std::size_t batch,
 
 Work reference(std::size_t batch) {
   const WaveField& field = preparedField(OctaveKind::group).field;
-  return onSamples(batch, [&field](auto points, auto out) {
-    field.sampleReference(points, benchTime, out);
-  });
+  return onSamples(
+      batch, [&field](auto points, auto out) { field.sampleReference(points, benchTime, out); });
 }
 
 Work samples(std::size_t batch, const SampleOptions& options) {
   const FieldAtTime& now = preparedField(OctaveKind::group).now;
-  return onSamples(batch, [&now, options](auto points, auto out) {
-    now.sample(points, out, options);
-  });
+  return onSamples(batch,
+                   [&now, options](auto points, auto out) { now.sample(points, out, options); });
 }
 
 Work singles(std::size_t count) {
@@ -139,8 +167,7 @@ Work sines(int components, std::size_t batch) {
 }
 
 /// Look-ups answer in texels.
-Work onTexels(std::size_t batch,
-              std::function<void(const BenchPoints&, std::span<Texel>)> what) {
+Work onTexels(std::size_t batch, std::function<void(const BenchPoints&, std::span<Texel>)> what) {
   const auto points = std::make_shared<BenchPoints>(batch);
   const auto out = std::make_shared<std::vector<Texel>>(batch);
   return [=] { what(*points, *out); };
@@ -177,7 +204,10 @@ void registerOctaves() {
        [] { return samples(1024, {.orbitalVelocity = true}); }});
   add({"field/group_avx2/12/1024", 1024, n, group, "AVX2"});
   add({"field/perlin_avx2/12/1024", 1024, n, perlin, "AVX2"});
-  add({"field/two_threads/65536", 65536, 0, [] { return halvesOnTwoThreads(65536); }, "", true});
+  add({"field/height/12/1024", 1024, n, [] { return heights(1024); }});
+  add({"field/lattice_lines/12/1024", 1024, n, [] { return besideLatticeLines(1024); }});
+  add({"field/motion/12/1024", 1024, n, [] { return motion(1024); }});
+  add({"field/two_threads/65536", 65536, 0, [] { return onTwoThreads(65536); }, "", true});
 }
 
 void registerRivals() {

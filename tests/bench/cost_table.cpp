@@ -53,8 +53,9 @@ std::string text(const char* format, double value) {
 
 void printRows(const std::vector<std::string>& names, const Collector& times,
                const std::map<std::string, Accuracy>& accuracy) {
-  std::printf("| setting | ns/point | ns/point/octave | ms/step | rms height error, m | "
-              "spectral residual | memory, KiB |\n|---|---:|---:|---:|---:|---:|---:|\n");
+  std::printf(
+      "| setting | ns/point | ns/point/octave | ms/step | rms height error, m | "
+      "spectral residual | memory, KiB |\n|---|---:|---:|---:|---:|---:|---:|\n");
   for (const std::string& name : names) {
     if (!times.has(name)) continue;
     const auto found = accuracy.find(name);
@@ -82,8 +83,10 @@ void printCrossover(const Collector& times, const std::string& tile, const char*
   const double perStep = times.median(tile + step, "ms_per_step");
   if (group < 0.0 || point < 0.0 || perStep < 0.0) return;
   std::printf("- %s%s against 12 group octaves: ", tile.c_str(), lookUp);
-  if (point >= group) std::printf("never cheaper\n");
-  else std::printf("cheaper from %.0f points a step\n", 1e6 * perStep / (group - point));
+  if (point >= group)
+    std::printf("never cheaper\n");
+  else
+    std::printf("cheaper from %.0f points a step\n", 1e6 * perStep / (group - point));
 }
 
 void printSummary(const Collector& times) {
@@ -95,6 +98,8 @@ void printSummary(const Collector& times) {
   printRatio("group/200 sines, AVX2", ns("field/group_avx2/12/1024"),
              ns("field/sines_avx2/200/1024"));
   printRatio("batch of 64/batch of 1024", ns("field/group/12/64"), group);
+  printRatio("height alone/all", ns("field/height/12/1024"), group);
+  printRatio("beside lattice lines/anywhere", ns("field/lattice_lines/12/1024"), group);
   printRatio("orbital/whole samples", ns("field/group_orbital/12/1024"),
              ns("field/group_samples/12/1024"));
   printRatio("two threads, speed-up by the clock",

@@ -20,8 +20,10 @@ int main(int argc, char** argv) {
   bool table = false;
   std::vector<char*> arguments{argv[0], interleave, repeat, shortly};
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--table") == 0) table = true;
-    else arguments.push_back(argv[i]);
+    if (std::strcmp(argv[i], "--table") == 0)
+      table = true;
+    else
+      arguments.push_back(argv[i]);
   }
   // The table takes its own medians, of every repetition.
   if (!table) arguments.insert(arguments.begin() + 1, aggregates);
@@ -30,8 +32,10 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
   const auto names = seaway::bench::registerFieldCases();
-  if (table) seaway::bench::printCostTable(names);
-  else benchmark::RunSpecifiedBenchmarks();
+  if (table)
+    seaway::bench::printCostTable(names);
+  else
+    benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
 }

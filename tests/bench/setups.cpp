@@ -8,19 +8,15 @@ namespace seaway::bench {
 namespace {
 
 PreparedField makeField(OctaveKind kind) {
-  if (kind == OctaveKind::regular) return {regularWaves(benchOctaves), sineResidual(benchOctaves)};
-  FittedOctaves fit =
-      kind == OctaveKind::group ? groupOctaves(benchOctaves) : perlinOctaves(benchOctaves);
+  const FrequencySpectrum target = jonswap(benchSea);
+  if (kind == OctaveKind::regular) return PreparedField(regularWaves(target, benchOctaves));
+  FittedOctaves fit = kind == OctaveKind::group ? groupOctaves(target, benchOctaves)
+                                                : perlinOctaves(target, benchOctaves);
   // A fit may leave an octave empty; the field would drop it and the benchmark flatter itself.
   for (Octave& octave : fit.octaves) {
     if (octave.standardDeviation == 0.0) octave.standardDeviation = 1e-6;
   }
-  return {std::move(fit.octaves), fit.residual};
-}
-
-const FittedOctaves& halvingOctaves() {
-  static const FittedOctaves octaves = halvingPerlinOctaves();
-  return octaves;
+  return PreparedField(std::move(fit.octaves));
 }
 
 }  // namespace
@@ -35,8 +31,8 @@ BenchPoints::BenchPoints(std::size_t count) : x(count), y(count), points(count) 
   }
 }
 
-PreparedField::PreparedField(std::vector<Octave> octaves, double spectralResidual)
-    : field(std::move(octaves)), now(field.at(benchTime)), residual(spectralResidual) {}
+PreparedField::PreparedField(std::vector<Octave> octaves)
+    : field(std::move(octaves)), now(field.at(benchTime)) {}
 
 const PreparedField& preparedField(OctaveKind kind) {
   static std::map<OctaveKind, std::unique_ptr<PreparedField>> fields;
@@ -49,7 +45,7 @@ const SineSum& sineSum(int components) {
   static std::map<int, SineSum> sums;
   const auto found = sums.find(components);
   if (found != sums.end()) return found->second;
-  const auto parts = sineComponents(targetSpectrum(), static_cast<std::size_t>(components));
+  const auto parts = sineComponents(jonswap(benchSea), static_cast<std::size_t>(components));
   SineSum& sum = sums.emplace(components, SineSum(parts)).first->second;
   sum.prepare(benchTime);
   return sum;
@@ -60,7 +56,7 @@ FftTile& fftTile(std::uint32_t size) {
   auto& tile = tiles[size];
   if (!tile) {
     const double length = tileLength * size / 256.0;
-    tile = std::make_unique<FftTile>(targetSpectrum(), size, length, FFTW_MEASURE);
+    tile = std::make_unique<FftTile>(jonswap(benchSea), size, length, FFTW_MEASURE);
     tile->step(benchTime);
   }
   return *tile;
@@ -68,13 +64,11 @@ FftTile& fftTile(std::uint32_t size) {
 
 CachedOctaves& cachedOctaves() {
   static CachedOctaves cached = [] {
-    CachedOctaves octaves(halvingOctaves().octaves);
+    CachedOctaves octaves(halvingPerlinOctaves(benchSea).octaves);
     octaves.step(benchTime);
     return octaves;
   }();
   return cached;
 }
-
-double cachedResidual() { return halvingOctaves().residual; }
 
 }  // namespace seaway::bench

@@ -3,17 +3,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim_bridge/cost/rivals/cached_octaves.h"
+#include "sim_bridge/cost/rivals/fft_tile.h"
+#include "sim_bridge/cost/rivals/seas.h"
+#include "sim_bridge/cost/rivals/sine_sum.h"
 #include "surface/field/wave_field.h"
-#include "tests/bench/rivals/cached_octaves.h"
-#include "tests/bench/rivals/fft_tile.h"
-#include "tests/bench/rivals/seas.h"
-#include "tests/bench/rivals/sine_sum.h"
 
 /// The things that are measured, each built once, when first asked for, at time `benchTime`.
 namespace seaway::bench {
 
+using namespace rivals;
+
 inline constexpr double benchTime = 12.3;  ///< s
 inline constexpr int benchOctaves = 12;
+inline constexpr JonswapParameters benchSea{1.12, 5.6, 3.3};
 
 /// Random points within 10 km of the anchor.
 struct BenchPoints {
@@ -30,12 +33,11 @@ struct BenchArrays {
   std::vector<float> height, slopeX, slopeY, rate;
 };
 
-/// A field, the same at `benchTime`, and the spectral residual of its octaves.
+/// A field, and the same at `benchTime`.
 struct PreparedField {
-  PreparedField(std::vector<Octave> octaves, double spectralResidual);
+  explicit PreparedField(std::vector<Octave> octaves);
   WaveField field;
   FieldAtTime now;
-  double residual;
 };
 const PreparedField& preparedField(OctaveKind kind);
 
@@ -43,6 +45,5 @@ const SineSum& sineSum(int components);
 inline constexpr double tileLength = 256.0;  ///< m, of the tile of 256² nodes
 FftTile& fftTile(std::uint32_t size);        ///< nodes 1 m apart
 CachedOctaves& cachedOctaves();
-double cachedResidual();
 
 }  // namespace seaway::bench

@@ -77,6 +77,7 @@ TEST(PictureAgreesWithField, StormPictureShowsWhatARayMarchFinds) {
   const WaterSurface storm = test::stormSea();
   const Camera camera = test::cameraAt({30.0, -20.0, 7.0}, -3.0, 8.0, 60.0, {160, 90});
   const double time = 4.0;
+  const SurfaceAtTime now = storm.at(time);
   const Frame frame = test::drawn(storm, camera, time, {.grid = {512, 512}});
   int otherClass = 0, compared = 0;
   std::vector<double> errors;
@@ -84,7 +85,7 @@ TEST(PictureAgreesWithField, StormPictureShowsWhatARayMarchFinds) {
     for (int x = 0; x < camera.size.x; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * camera.size.x + x;
       const glm::dvec3 ray = camera.rayThrough({x, y});
-      const auto distance = distanceToWater(storm, time, camera.position, ray);
+      const auto distance = distanceToWater(now, camera.position, ray);
       const bool water = frame.classes[i] == PixelClass::water;
       otherClass += water != distance.has_value();
       if (!water || !distance) continue;

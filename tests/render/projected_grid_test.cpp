@@ -48,13 +48,14 @@ TEST(ProjectedGrid, StillSeaFillsEveryWaterPixelAndNoOther) {
 
 TEST(ProjectedGrid, DepthOfStillSeaIsThatOfTheParaboloid) {
   const WaterSurface still = test::stillSea();
+  const SurfaceAtTime now = still.at(0.0);
   const Camera camera = cameraAt({0, 0, 5.0}, -20.0);
   const Frame frame = drawn(still, camera, 0.0, {.grid = {256, 256}});
   for (int y = 0; y < camera.size.y; ++y) {
     for (int x = 0; x < camera.size.x; ++x) {
       const float depth = frame.depth.metres[y * camera.size.x + x];
       const glm::dvec3 ray = camera.rayThrough({x, y});
-      const auto truth = distanceToWater(still, 0.0, camera.position, ray);
+      const auto truth = distanceToWater(now, camera.position, ray);
       if (!truth) {
         EXPECT_EQ(depth, std::numeric_limits<float>::infinity());
       } else if (*truth < 200.0) {

@@ -115,13 +115,14 @@ bool covers(const Projector& projector, glm::dvec2 point) {
 
 TEST(Projector, GridCoversEveryPixelThatShowsStillWater) {
   const WaterSurface still = test::stillSea();
+  const SurfaceAtTime now = still.at(0.0);
   std::size_t pixels = 0;
   for (const Camera& camera : manyCameras()) {
     const auto projector = Projector::aimedAt(camera, 0.0);
     for (int y = 0; y < camera.size.y; ++y) {
       for (int x = 0; x < camera.size.x; ++x) {
         const glm::dvec3 ray = camera.rayThrough({x, y});
-        const auto distance = distanceToWater(still, 0.0, camera.position, ray);
+        const auto distance = distanceToWater(now, camera.position, ray);
         if (!distance || *distance * glm::dot(ray, camera.forward()) < camera.nearDistance)
           continue;
         if (glm::length(glm::dvec2(ray) * *distance) > crestReach(std::abs(camera.position.z), 0)) {
@@ -139,6 +140,7 @@ TEST(Projector, GridCoversEveryPixelThatShowsStillWater) {
 
 TEST(Projector, GridCoversEveryPixelThatShowsWaves) {
   const WaterSurface storm = test::stormSea();
+  const SurfaceAtTime now = storm.at(0.0);
   for (const double z : {-15.0, -2.0, 0.0, 4.0, 13.0}) {
     for (const double pitch : {-60.0, -10.0, 0.0, 25.0}) {
       const Camera camera = cameraAt({40.0, 70.0, z}, pitch, 20.0, 75.0, {32, 18});
@@ -146,7 +148,7 @@ TEST(Projector, GridCoversEveryPixelThatShowsWaves) {
       for (int y = 0; y < camera.size.y; ++y) {
         for (int x = 0; x < camera.size.x; ++x) {
           const glm::dvec3 ray = camera.rayThrough({x, y});
-          const auto distance = distanceToWater(storm, 0.0, camera.position, ray);
+          const auto distance = distanceToWater(now, camera.position, ray);
           const double reach = crestReach(std::abs(z), storm.heightBound());
           if (!distance || *distance > reach) continue;
           if (*distance * glm::dot(ray, camera.forward()) < camera.nearDistance) continue;

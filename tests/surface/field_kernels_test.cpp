@@ -9,10 +9,13 @@
 #include "surface/field/kernels/field_blocks.h"
 #include "surface/field/wave_field.h"
 #include "tests/support/allocation_counter.h"
+#include "tests/support/random_points.h"
 
 /// The fast kernels against the double reference, on every instruction set this machine has.
 namespace seaway {
 namespace {
+
+using test_support::randomPoints;
 
 std::vector<Octave> octavesOf(OctaveKind kind, int count, double depth) {
   std::mt19937_64 random(1);
@@ -33,14 +36,6 @@ std::vector<Octave> mixedOctaves(int count, double depth) {
     for (const Octave& octave : octavesOf(kind, count, depth)) octaves.push_back(octave);
   }
   return octaves;
-}
-
-std::vector<glm::dvec2> randomPoints(std::size_t count, double reach) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(-reach, reach);
-  std::vector<glm::dvec2> points(count);
-  for (glm::dvec2& point : points) point = {uniform(random), uniform(random)};
-  return points;
 }
 
 class FieldKernels : public testing::TestWithParam<const char*> {
@@ -123,6 +118,25 @@ TEST_P(FieldKernels, ArraysHoldTheSameValues) {
     EXPECT_EQ(height[i], static_cast<float>(samples[i].height));
     EXPECT_EQ(slopeX[i], static_cast<float>(samples[i].slope.x));
     EXPECT_EQ(rate[i], static_cast<float>(samples[i].verticalVelocity));
+  }
+}
+
+TEST_P(FieldKernels, HeightsAloneAreTheSameHeights) {
+  const WaveField field(mixedOctaves(7, 1e9));
+  const auto points = randomPoints(300, 2e3);
+  std::vector<SurfaceSample> whole(points.size()), heights(points.size());
+  const FieldAtTime now = field.at(3.0);
+  now.sample(points, whole);
+  now.sample(points, heights, {.derivatives = false});
+  std::vector<double> x, y;
+  for (const glm::dvec2& point : points) x.push_back(point.x), y.push_back(point.y);
+  std::vector<float> array(points.size());
+  now.sample(x, y, {.height = array, .slopeX = {}, .slopeY = {}, .rate = {}});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(heights[i].height, whole[i].height);
+    EXPECT_EQ(now.sample(points[i], {.derivatives = false}).height, whole[i].height);
+    EXPECT_EQ(array[i], static_cast<float>(whole[i].height));
+    EXPECT_TRUE(std::isnan(heights[i].slope.x) && std::isnan(heights[i].verticalVelocity));
   }
 }
 

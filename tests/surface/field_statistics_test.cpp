@@ -46,6 +46,34 @@ TEST(FieldStatistics, HeightsAreGaussianToTheOrderOfTheirNumber) {
   EXPECT_NEAR(fourth / count / (second * second), 3.0, 0.1);               // asked; scatter 0.005
 }
 
+TEST(FieldStatistics, LeftOutStandardDeviationsCoverTheErrorsAsAGaussianWould) {
+  // Cut where several octaves are left out: their sum is near a Gaussian.
+  const WaveField field = fitted(24);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> place(-4e5, 4e5), time(0.0, 1e6);
+  constexpr int times = 50, places = 2048;
+  for (const std::size_t kept : {0u, 6u, 12u, 18u}) {
+    const SampleOptions options{.tolerance = field.leftOut(kept)};
+    int within[3] = {};
+    for (int n = 0; n < times; ++n) {
+      std::vector<glm::dvec2> points(places);
+      for (glm::dvec2& point : points) point = {place(random), place(random)};
+      std::vector<SurfaceSample> whole(places), cut(places);
+      const FieldAtTime now = field.at(time(random));
+      now.sample(points, whole);
+      now.sample(points, cut, options);
+      for (int i = 0; i < places; ++i) {
+        const double error = std::abs(whole[i].height - cut[i].height) / cut[i].error;
+        for (int sigmas = 1; sigmas <= 3; ++sigmas) within[sigmas - 1] += error <= sigmas;
+      }
+    }
+    constexpr double all = times * places;  // scatter 0.15 %
+    EXPECT_NEAR(within[0] / all, 0.68, 0.05) << kept;
+    EXPECT_GE(within[1] / all, 0.95) << kept;
+    EXPECT_GE(within[2] / all, 0.99) << kept;
+  }
+}
+
 TEST(FieldStatistics, CrestsTravelAsTheDispersionRelationSays) {
   // Phase between two staffs an eighth of the peak's wave length apart along the waves.
   const FrequencySpectrum target = jonswap({1.12, 5.6, 3.3});

@@ -24,15 +24,16 @@ TEST(SurfaceRay, MeetsStillWaterWhereTheParaboloidIs) {
     // −slope·d + h = −d²/2R, nearer root.
     const double h = 5.0, r = earthMeanRadius;
     const double d = r * slope - std::sqrt(r * r * slope * slope - 2.0 * r * h);
-    const auto found = distanceToWater(still, 0.0, {10.0, 20.0, h}, direction);
+    const auto found = distanceToWater(still.at(0.0), {10.0, 20.0, h}, direction);
     ASSERT_TRUE(found);
     EXPECT_NEAR(*found * direction.x, d, 2e-4 + 1e-9 * d);  // the default tolerance along the ray
   }
 }
 
 TEST(SurfaceRay, InTheSeaPlaneTheSeaIsFlat) {
+  const WaterSurface still = stillSea();
   const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.0, -0.001));
-  const auto found = distanceToWater(stillSea(), 0.0, {0, 0, 5}, direction, {.curved = false});
+  const auto found = distanceToWater(still.at(0.0), {0, 0, 5}, direction, {.curved = false});
   ASSERT_TRUE(found);
   EXPECT_NEAR(*found * direction.x, 5000.0, 1e-3);
 }
@@ -40,11 +41,11 @@ TEST(SurfaceRay, InTheSeaPlaneTheSeaIsFlat) {
 TEST(SurfaceRay, RaysAboveTheHorizonMeetNoWater) {
   const WaterSurface still = stillSea();
   const double dip = std::sqrt(2.0 * 5.0 / earthMeanRadius);
-  EXPECT_FALSE(distanceToWater(still, 0.0, {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, 0.1))));
+  EXPECT_FALSE(distanceToWater(still.at(0.0), {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, 0.1))));
   EXPECT_FALSE(
-      distanceToWater(still, 0.0, {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, -0.99 * dip))));
+      distanceToWater(still.at(0.0), {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, -0.99 * dip))));
   EXPECT_TRUE(
-      distanceToWater(still, 0.0, {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, -1.01 * dip))));
+      distanceToWater(still.at(0.0), {0, 0, 5}, glm::normalize(glm::dvec3(1, 0, -1.01 * dip))));
 }
 
 TEST(SurfaceRay, PointsFoundLieOnTheSurfaceSeenFromAboveAndFromBelow) {
@@ -54,7 +55,7 @@ TEST(SurfaceRay, PointsFoundLieOnTheSurfaceSeenFromAboveAndFromBelow) {
     const glm::dvec3 origin(13.0 * i, 5.0, side > 0 ? 14.0 : -14.0);
     const glm::dvec3 direction =
         glm::normalize(glm::dvec3(std::cos(0.3 * i), std::sin(0.3 * i), side * std::tan(pitch)));
-    const auto found = distanceToWater(storm, 2.0, origin, direction);
+    const auto found = distanceToWater(storm.at(2.0), origin, direction);
     ASSERT_TRUE(found) << i;
     const glm::dvec3 p = origin + direction * *found;
     const double level = glm::distance(glm::dvec2(p), glm::dvec2(origin));
@@ -68,7 +69,7 @@ TEST(SurfaceRay, NoWaterLiesBeforeTheFirstPointFound) {
   for (int i = 0; i < 40; ++i) {
     const glm::dvec3 origin(0.0, 50.0 * i, 13.0);
     const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.2, -0.015 * (i + 1)));
-    const auto found = distanceToWater(storm, 0.0, origin, direction);
+    const auto found = distanceToWater(storm.at(0.0), origin, direction);
     ASSERT_TRUE(found);
     for (int k = 1; k < 2000; ++k) {
       const double distance = 0.1 + (*found - 0.1) * k / 2000.0;
@@ -82,9 +83,9 @@ TEST(SurfaceRay, NoWaterLiesBeforeTheFirstPointFound) {
 
 TEST(SurfaceRayHard, RaysThatAreNotFiniteMeetNothing) {
   const WaterSurface still = stillSea();
-  EXPECT_FALSE(distanceToWater(still, 0.0, {NAN, 0, 5}, {0, 0, -1}));
-  EXPECT_FALSE(distanceToWater(still, 0.0, {0, 0, 5}, {NAN, 0, -1}));
-  EXPECT_FALSE(distanceToWater(still, NAN, {0, 0, 5}, {0, 0, -1}));
+  EXPECT_FALSE(distanceToWater(still.at(0.0), {NAN, 0, 5}, {0, 0, -1}));
+  EXPECT_FALSE(distanceToWater(still.at(0.0), {0, 0, 5}, {NAN, 0, -1}));
+  EXPECT_FALSE(distanceToWater(still.at(NAN), {0, 0, 5}, {0, 0, -1}));
 }
 
 }  // namespace

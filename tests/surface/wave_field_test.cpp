@@ -4,27 +4,21 @@
 
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include "surface/fit/octave_fit.h"
 #include "surface/input_error.h"
 #include "surface/spectra/families.h"
 #include "surface/water_surface.h"
 #include "tests/support/allocation_counter.h"
+#include "tests/support/random_points.h"
 
 namespace seaway {
 namespace {
 
+using test_support::randomPoints;
+
 WaveField makeField(double height = 1.12, std::uint64_t seed = 7) {
   return WaveField(fitPerlinOctaves(jonswap({height, 5.6, 3.3})).octaves, {.seed = seed});
-}
-
-std::vector<glm::dvec2> randomPoints(std::size_t count, double reach) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(-reach, reach);
-  std::vector<glm::dvec2> points(count);
-  for (glm::dvec2& point : points) point = {uniform(random), uniform(random)};
-  return points;
 }
 
 TEST(WaveField, RealisesTheWaveHeightAsked) {

@@ -14,72 +14,63 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Sums of a vector of points.
-template <bool kOrbital>
-HWY_INLINE Contribution LoadSums(const FieldSums& sums, std::size_t at) {
-  const Floats f;
-  Contribution result = Nothing();
-  result.height = hn::Load(f, sums.height + at);
-  result.slopeX = hn::Load(f, sums.slopeX + at);
-  result.slopeY = hn::Load(f, sums.slopeY + at);
-  result.rate = hn::Load(f, sums.rate + at);
-  if constexpr (kOrbital) {
-    result.orbitalX = hn::Load(f, sums.orbitalX + at);
-    result.orbitalY = hn::Load(f, sums.orbitalY + at);
-  }
+template <std::size_t N>
+HWY_INLINE Sums<N> LoadSums(const FieldSums& sums, std::size_t at) {
+  Sums<N> result;
+  for (std::size_t n = 0; n < N; ++n) result.of[n] = hn::Load(Floats(), sums.sum[n] + at);
   return result;
 }
 
-template <bool kOrbital>
-HWY_INLINE void StoreSums(const Contribution& result, const FieldSums& sums, std::size_t at) {
-  const Floats f;
-  hn::Store(result.height, f, sums.height + at);
-  hn::Store(result.slopeX, f, sums.slopeX + at);
-  hn::Store(result.slopeY, f, sums.slopeY + at);
-  hn::Store(result.rate, f, sums.rate + at);
-  if constexpr (kOrbital) {
-    hn::Store(result.orbitalX, f, sums.orbitalX + at);
-    hn::Store(result.orbitalY, f, sums.orbitalY + at);
-  }
+template <std::size_t N>
+HWY_INLINE void StoreSums(const Sums<N>& result, const FieldSums& sums, std::size_t at) {
+  for (std::size_t n = 0; n < N; ++n) hn::Store(result.of[n], Floats(), sums.sum[n] + at);
 }
 
 /// Octaves are summed in quads, (a + b) + (c + d), quads one after the other: an order that octaves
 /// in lanes can follow. `stages.Prepare(octaves, x, y)` readies a vector of points, `stages(i)` is
-/// what octave i then adds.
-template <bool kOrbital, class Stages>
-HWY_INLINE void AddBatch(std::uint32_t octaves, const double* HWY_RESTRICT x,
+/// the shape of octave i there.
+template <Quantities kWhat, class Kind, class Block, class Stages>
+HWY_INLINE void AddBatch(const Block& block, std::uint32_t octaves, const double* HWY_RESTRICT x,
                          const double* HWY_RESTRICT y, std::size_t count, const FieldSums& sums,
                          Stages& stages) {
-  const std::size_t lanes = hn::Lanes(Floats());
+  constexpr std::size_t n = sumsOf(kWhat);
+  const Floats f;
+  const std::size_t lanes = hn::Lanes(f);
   for (std::size_t at = 0; at < count; at += lanes) {
     stages.Prepare(octaves, LoadPair(x + at), LoadPair(y + at));
-    Contribution total = LoadSums<kOrbital>(sums, at);
-    Contribution firstPair = Nothing();
+    VF stretched = hn::Zero(f);
+    if constexpr (isBelowSurface(kWhat)) stretched = hn::Load(f, sums.stretched + at);
+    const auto contribution = [&](std::size_t i) HWY_ATTR {
+      return Contribution<kWhat, Kind>(block, ReadBroadcast{i}, stages(i), stretched, sums.depth);
+    };
+    Sums<n> total = LoadSums<n>(sums, at);
+    Sums<n> firstPair = Nothing<n>();
     std::size_t octave = 0;
     for (std::uint32_t left = octaves; left != 0; left >>= 2, octave += 2) {
-      const Contribution a = (left & 1) != 0 ? stages(octave) : Nothing();
-      const Contribution b = (left & 2) != 0 ? stages(octave + 1) : Nothing();
-      const Contribution pair = Plus<kOrbital>(a, b);
+      const Sums<n> a = (left & 1) != 0 ? contribution(octave) : Nothing<n>();
+      const Sums<n> b = (left & 2) != 0 ? contribution(octave + 1) : Nothing<n>();
+      const Sums<n> pair = Plus(a, b);
       const bool second = (octave & 2) != 0;
-      if (second) total = Plus<kOrbital>(total, Plus<kOrbital>(firstPair, pair));
-      firstPair = second ? Nothing() : pair;
+      if (second) total = Plus(total, Plus(firstPair, pair));
+      firstPair = second ? Nothing<n>() : pair;
     }
-    if (octave & 2) total = Plus<kOrbital>(total, Plus<kOrbital>(firstPair, Nothing()));
-    StoreSums<kOrbital>(total, sums, at);
+    if (octave & 2) total = Plus(total, Plus(firstPair, Nothing<n>()));
+    StoreSums<n>(total, sums, at);
   }
 }
 
 /// Points in lanes without stages: each octave in one go.
-template <class Contribute>
+template <class ShapeOf>
 class Unstaged {
  public:
-  explicit HWY_INLINE Unstaged(Contribute contribute) : contribute_(contribute) {}
+  explicit HWY_INLINE Unstaged(ShapeOf shapeOf) : shapeOf_(shapeOf) {}
   HWY_INLINE void Prepare(std::uint32_t, DoublePair x, DoublePair y) { x_ = x, y_ = y; }
-  HWY_INLINE Contribution operator()(std::size_t octave) const {
-    return contribute_(ReadBroadcast{octave}, x_, y_);
+  HWY_INLINE Shape operator()(std::size_t octave) const {
+    return shapeOf_(ReadBroadcast{octave}, x_, y_);
   }
 
  private:
-  Contribute contribute_;
+  ShapeOf shapeOf_;
   DoublePair x_, y_;
 };
 
@@ -97,95 +88,143 @@ HWY_INLINE void AddQuads(VF contribution, float& sum) {
 }
 
 /// Unused places of a block add zeros, which changes no bit of a sum that began as +0.
-template <bool kOrbital, class Contribute>
-HWY_INLINE void AddPoint(std::uint32_t octaves, double x, double y, const FieldSums& sums,
-                         Contribute contribute) {
+template <Quantities kWhat, class Kind, class Block, class ShapeOf>
+HWY_INLINE void AddPoint(const Block& block, std::uint32_t octaves, double x, double y,
+                         const FieldSums& sums, ShapeOf shapeOf) {
   const Floats f;
   const std::size_t lanes = hn::Lanes(f);
   for (std::size_t first = 0; (octaves >> first) != 0; first += lanes) {
-    const Contribution all = contribute(ReadLanes{first}, SetPair(x), SetPair(y));
+    const ReadLanes read{first};
+    const auto all = AtSurface<kWhat, Kind>(block, read, shapeOf(read, SetPair(x), SetPair(y)));
     const std::uint64_t bits = octaves >> first;
     const auto mask = hn::LoadMaskBits(f, reinterpret_cast<const std::uint8_t*>(&bits));
-    AddQuads(hn::IfThenElseZero(mask, all.height), *sums.height);
-    AddQuads(hn::IfThenElseZero(mask, all.slopeX), *sums.slopeX);
-    AddQuads(hn::IfThenElseZero(mask, all.slopeY), *sums.slopeY);
-    AddQuads(hn::IfThenElseZero(mask, all.rate), *sums.rate);
-    if constexpr (kOrbital) {
-      AddQuads(hn::IfThenElseZero(mask, all.orbitalX), *sums.orbitalX);
-      AddQuads(hn::IfThenElseZero(mask, all.orbitalY), *sums.orbitalY);
+    for (std::size_t n = 0; n < sumsOf(kWhat); ++n) {
+      AddQuads(hn::IfThenElseZero(mask, all.of[n]), *sums.sum[n]);
     }
     if (first + lanes >= octavesPerBlock) break;
   }
 }
 
-template <bool kOrbital>
-struct RegularOf {
-  const RegularBlock& block;
+struct GroupShapes {
+  const GroupBlock& block;
   template <class Read>
-  HWY_INLINE Contribution operator()(Read read, DoublePair x, DoublePair y) const {
-    return RegularContribution<kOrbital>(block, read, x, y);
+  HWY_INLINE Shape operator()(Read read, DoublePair x, DoublePair y) const {
+    return GroupShapeAtOnce(block, read, x, y);
   }
 };
 
-struct PerlinOf {
-  const PerlinBlock& block;
+struct RegularShapes {
+  const RegularBlock& block;
   template <class Read>
-  HWY_INLINE Contribution operator()(Read read, DoublePair x, DoublePair y) const {
-    return PerlinContribution(block, read, x, y);
+  HWY_INLINE Shape operator()(Read read, DoublePair x, DoublePair y) const {
+    return RegularShape(block, read, x, y);
   }
 };
+
+struct PerlinShapes {
+  const PerlinBlock& block;
+  template <class Read>
+  HWY_INLINE Shape operator()(Read read, DoublePair x, DoublePair y) const {
+    return PerlinShape(block, read, x, y);
+  }
+};
+
+template <Quantities kWhat>
+HWY_INLINE void AddGroups(const GroupBlock& block, std::uint32_t octaves, const double* x,
+                          const double* y, std::size_t count, const FieldSums& sums) {
+  GroupStaged<kWhat != Quantities::height && kWhat != Quantities::pressure> stages(block);
+  AddBatch<kWhat, GroupKind>(block, octaves, x, y, count, sums, stages);
+}
+
+template <Quantities kWhat>
+HWY_INLINE void AddRegulars(const RegularBlock& block, std::uint32_t octaves, const double* x,
+                            const double* y, std::size_t count, const FieldSums& sums) {
+  Unstaged<RegularShapes> stages({block});
+  AddBatch<kWhat, RegularKind>(block, octaves, x, y, count, sums, stages);
+}
+
+template <Quantities kWhat>
+HWY_INLINE void AddPerlins(const PerlinBlock& block, std::uint32_t octaves, const double* x,
+                           const double* y, std::size_t count, const FieldSums& sums) {
+  Unstaged<PerlinShapes> stages({block});
+  AddBatch<kWhat, PerlinKind>(block, octaves, x, y, count, sums, stages);
+}
 
 }  // namespace
 
 void GroupBatch(const GroupBlock& block, std::uint32_t octaves, const double* x, const double* y,
                 std::size_t count, const FieldSums& sums) {
-  if (sums.orbitalX) {
-    GroupStaged<true> stages(block);
-    AddBatch<true>(octaves, x, y, count, sums, stages);
-  } else {
-    GroupStaged<false> stages(block);
-    AddBatch<false>(octaves, x, y, count, sums, stages);
+  switch (sums.what) {
+    case Quantities::height:
+      return AddGroups<Quantities::height>(block, octaves, x, y, count, sums);
+    case Quantities::surface:
+      return AddGroups<Quantities::surface>(block, octaves, x, y, count, sums);
+    case Quantities::orbital:
+      return AddGroups<Quantities::orbital>(block, octaves, x, y, count, sums);
+    case Quantities::pressure:
+      return AddGroups<Quantities::pressure>(block, octaves, x, y, count, sums);
+    case Quantities::motion:
+      return AddGroups<Quantities::motion>(block, octaves, x, y, count, sums);
   }
 }
 
-void RegularBatch(const RegularBlock& block, std::uint32_t octaves, const double* x, const double* y,
-                  std::size_t count, const FieldSums& sums) {
-  if (sums.orbitalX) {
-    Unstaged<RegularOf<true>> stages({block});
-    AddBatch<true>(octaves, x, y, count, sums, stages);
-  } else {
-    Unstaged<RegularOf<false>> stages({block});
-    AddBatch<false>(octaves, x, y, count, sums, stages);
+void RegularBatch(const RegularBlock& block, std::uint32_t octaves, const double* x,
+                  const double* y, std::size_t count, const FieldSums& sums) {
+  switch (sums.what) {
+    case Quantities::height:
+      return AddRegulars<Quantities::height>(block, octaves, x, y, count, sums);
+    case Quantities::surface:
+      return AddRegulars<Quantities::surface>(block, octaves, x, y, count, sums);
+    case Quantities::orbital:
+      return AddRegulars<Quantities::orbital>(block, octaves, x, y, count, sums);
+    case Quantities::pressure:
+      return AddRegulars<Quantities::pressure>(block, octaves, x, y, count, sums);
+    case Quantities::motion:
+      return AddRegulars<Quantities::motion>(block, octaves, x, y, count, sums);
   }
 }
 
 void PerlinBatch(const PerlinBlock& block, std::uint32_t octaves, const double* x, const double* y,
                  std::size_t count, const FieldSums& sums) {
-  Unstaged<PerlinOf> stages({block});
-  AddBatch<false>(octaves, x, y, count, sums, stages);
+  if (sums.what == Quantities::height) {
+    return AddPerlins<Quantities::height>(block, octaves, x, y, count, sums);
+  }
+  // Without kinematics the orbital sums stay as they are.
+  AddPerlins<Quantities::surface>(block, octaves, x, y, count, sums);
 }
 
 void GroupPoint(const GroupBlock& block, std::uint32_t octaves, double x, double y,
                 const FieldSums& sums) {
-  if (sums.orbitalX) {
-    AddPoint<true>(octaves, x, y, sums, GroupAtOnce<true>{block});
+  const GroupShapes shapes{block};
+  if (sums.what == Quantities::orbital) {
+    AddPoint<Quantities::orbital, GroupKind>(block, octaves, x, y, sums, shapes);
+  } else if (sums.what == Quantities::surface) {
+    AddPoint<Quantities::surface, GroupKind>(block, octaves, x, y, sums, shapes);
   } else {
-    AddPoint<false>(octaves, x, y, sums, GroupAtOnce<false>{block});
+    AddPoint<Quantities::height, GroupKind>(block, octaves, x, y, sums, shapes);
   }
 }
 
 void RegularPoint(const RegularBlock& block, std::uint32_t octaves, double x, double y,
                   const FieldSums& sums) {
-  if (sums.orbitalX) {
-    AddPoint<true>(octaves, x, y, sums, RegularOf<true>{block});
+  const RegularShapes shapes{block};
+  if (sums.what == Quantities::orbital) {
+    AddPoint<Quantities::orbital, RegularKind>(block, octaves, x, y, sums, shapes);
+  } else if (sums.what == Quantities::surface) {
+    AddPoint<Quantities::surface, RegularKind>(block, octaves, x, y, sums, shapes);
   } else {
-    AddPoint<false>(octaves, x, y, sums, RegularOf<false>{block});
+    AddPoint<Quantities::height, RegularKind>(block, octaves, x, y, sums, shapes);
   }
 }
 
 void PerlinPoint(const PerlinBlock& block, std::uint32_t octaves, double x, double y,
                  const FieldSums& sums) {
-  AddPoint<false>(octaves, x, y, sums, PerlinOf{block});
+  const PerlinShapes shapes{block};
+  if (sums.what == Quantities::height) {
+    AddPoint<Quantities::height, PerlinKind>(block, octaves, x, y, sums, shapes);
+  } else {
+    AddPoint<Quantities::surface, PerlinKind>(block, octaves, x, y, sums, shapes);
+  }
 }
 
 const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
@@ -211,12 +250,12 @@ void addGroupBatch(const GroupBlock& block, std::uint32_t octaves, const double*
                    std::size_t count, const FieldSums& sums) {
   HWY_DYNAMIC_DISPATCH(GroupBatch)(block, octaves, x, y, count, sums);
 }
-void addRegularBatch(const RegularBlock& block, std::uint32_t octaves, const double* x, const double* y,
-                     std::size_t count, const FieldSums& sums) {
+void addRegularBatch(const RegularBlock& block, std::uint32_t octaves, const double* x,
+                     const double* y, std::size_t count, const FieldSums& sums) {
   HWY_DYNAMIC_DISPATCH(RegularBatch)(block, octaves, x, y, count, sums);
 }
-void addPerlinBatch(const PerlinBlock& block, std::uint32_t octaves, const double* x, const double* y,
-                    std::size_t count, const FieldSums& sums) {
+void addPerlinBatch(const PerlinBlock& block, std::uint32_t octaves, const double* x,
+                    const double* y, std::size_t count, const FieldSums& sums) {
   HWY_DYNAMIC_DISPATCH(PerlinBatch)(block, octaves, x, y, count, sums);
 }
 void addGroupPoint(const GroupBlock& block, std::uint32_t octaves, double x, double y,

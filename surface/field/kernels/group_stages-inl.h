@@ -71,45 +71,29 @@ HWY_INLINE Column CarriedColumn(const VU (&corners)[2], const GroupWeights& weig
           hn::MulAdd(across.after, phase1, hn::Mul(across.before, phase0))};
 }
 
-template <bool kOrbital, class Read>
-HWY_INLINE Contribution GroupContribution(const GroupBlock& block, Read read,
-                                          const GroupCorners& corners,
-                                          const GroupWeights& weights) {
+HWY_INLINE Shape GroupShape(const GroupCorners& corners, const GroupWeights& weights) {
   const Column before = CarriedColumn(corners.word[0], weights);
   const Column after = CarriedColumn(corners.word[1], weights);
   const Blend& blend = weights.along;
-  const VF value = hn::MulAdd(blend.after, after.value, hn::Mul(blend.before, before.value));
-  const VF byPhase = hn::MulAdd(blend.after, after.byPhase, hn::Mul(blend.before, before.byPhase));
-  const VF byAlong = hn::Mul(
-      hn::NegMulAdd(blend.after, before.value, hn::Mul(blend.before, after.value)), blend.rate);
-  const VF byAcross =
-      hn::Mul(hn::MulAdd(blend.after, after.across, hn::Mul(blend.before, before.across)),
-              weights.across.rate);
-  Contribution result;
-  result.height = hn::Mul(value, read(block.factors.height));
-  result.slopeX = Weighted(block.factors.slopeX, read, byPhase, byAlong, byAcross);
-  result.slopeY = Weighted(block.factors.slopeY, read, byPhase, byAlong, byAcross);
-  result.rate = Weighted(block.factors.rate, read, byPhase, byAlong, byAcross);
-  AddOrbital<kOrbital>(block, read, value, result);
-  return result;
+  return {hn::MulAdd(blend.after, after.value, hn::Mul(blend.before, before.value)),
+          hn::MulAdd(blend.after, after.byPhase, hn::Mul(blend.before, before.byPhase)),
+          hn::Mul(hn::NegMulAdd(blend.after, before.value, hn::Mul(blend.before, after.value)),
+                  blend.rate),
+          hn::Mul(hn::MulAdd(blend.after, after.across, hn::Mul(blend.before, before.across)),
+                  weights.across.rate)};
 }
 
 /// Octaves in lanes: all stages at once.
-template <bool kOrbital>
-struct GroupAtOnce {
-  const GroupBlock& block;
-  template <class Read>
-  HWY_INLINE Contribution operator()(Read read, DoublePair x, DoublePair y) const {
-    const GroupPlace place = PlaceOf(block, read, x, y);
-    return GroupContribution<kOrbital>(block, read, CornersOf(place.x, place.y),
-                                       WeightsOf(place.along, place.across, place.turns));
-  }
-};
+template <class Read>
+HWY_INLINE Shape GroupShapeAtOnce(const GroupBlock& block, Read read, DoublePair x, DoublePair y) {
+  const GroupPlace place = PlaceOf(block, read, x, y);
+  return GroupShape(CornersOf(place.x, place.y), WeightsOf(place.along, place.across, place.turns));
+}
 
 /// Points in lanes: each stage for all octaves of the block before the next. One octave is a chain
 /// of some two hundred dependent instructions; stage by stage, octaves overlap in the processor's
 /// window (5 to 30 % faster than one octave after the other).
-template <bool kOrbital>
+template <bool kDerivatives>
 class GroupStaged {
  public:
   explicit HWY_INLINE GroupStaged(const GroupBlock& block) : block_(block) {}
@@ -133,21 +117,21 @@ class GroupStaged {
     }
     for (std::uint32_t left = octaves; left != 0; left &= left - 1) {
       const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-      StoreWeights(i, WeightsOf(hn::Load(f, along_[i]), hn::Load(f, across_[i]),
-                                hn::Load(f, turns_[i])));
+      StoreWeights(
+          i, WeightsOf(hn::Load(f, along_[i]), hn::Load(f, across_[i]), hn::Load(f, turns_[i])));
     }
   }
 
-  HWY_INLINE Contribution operator()(std::size_t i) const {
+  HWY_INLINE Shape operator()(std::size_t i) const {
     const Floats f;
     const Words w;
     const auto corner = [&](int c) HWY_ATTR { return hn::Load(w, corner_[i][c]); };
     const auto weight = [&](int c) HWY_ATTR { return hn::Load(f, weight_[i][c]); };
+    const auto rate = [&](int c) HWY_ATTR { return kDerivatives ? weight(c) : hn::Zero(f); };
     const GroupCorners corners{{{corner(0), corner(1)}, {corner(2), corner(3)}}};
-    const GroupWeights weights{{weight(0), weight(1)},
-                               {weight(2), weight(3), weight(4)},
-                               {weight(5), weight(6), weight(7)}};
-    return GroupContribution<kOrbital>(block_, ReadBroadcast{i}, corners, weights);
+    return GroupShape(
+        corners,
+        {{weight(0), weight(1)}, {weight(2), weight(3), rate(6)}, {weight(4), weight(5), rate(7)}});
   }
 
  private:
@@ -157,10 +141,12 @@ class GroupStaged {
     hn::Store(weights.carrier.cosine, f, weight_[i][1]);
     hn::Store(weights.along.before, f, weight_[i][2]);
     hn::Store(weights.along.after, f, weight_[i][3]);
-    hn::Store(weights.along.rate, f, weight_[i][4]);
-    hn::Store(weights.across.before, f, weight_[i][5]);
-    hn::Store(weights.across.after, f, weight_[i][6]);
-    hn::Store(weights.across.rate, f, weight_[i][7]);
+    hn::Store(weights.across.before, f, weight_[i][4]);
+    hn::Store(weights.across.after, f, weight_[i][5]);
+    if constexpr (kDerivatives) {
+      hn::Store(weights.along.rate, f, weight_[i][6]);
+      hn::Store(weights.across.rate, f, weight_[i][7]);
+    }
   }
 
   static constexpr std::size_t mostLanes = 16;

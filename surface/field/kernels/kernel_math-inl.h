@@ -1,4 +1,5 @@
-// Arithmetic that the field's kernels share, once per instruction set (Highway's per-target include).
+// Arithmetic that the field's kernels share, once per instruction set (Highway's per-target
+// include).
 
 #if defined(SEAWAY_FIELD_KERNEL_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SEAWAY_FIELD_KERNEL_MATH_INL_H_
@@ -93,7 +94,8 @@ HWY_INLINE VU PairDifferences(VU bytes) {
 /// The two envelope values of a corner, packed in 16 bits each: see GroupOctave.
 HWY_INLINE VU PackedCorner(VU hash) {
   const VU nibbles = hn::Set(Words(), 0x0F0F0F0Fu);
-  return PairDifferences(hn::Add(hn::And(hash, nibbles), hn::And(hn::ShiftRight<4>(hash), nibbles)));
+  return PairDifferences(
+      hn::Add(hn::And(hash, nibbles), hn::And(hn::ShiftRight<4>(hash), nibbles)));
 }
 
 /// The same times 2¹⁶, as floats.

@@ -69,8 +69,7 @@ HWY_INLINE BlendedRow RowOf(const Gradient& before, const Gradient& after, VF to
 }
 
 template <class Read>
-HWY_INLINE Contribution PerlinContribution(const PerlinBlock& block, Read read, DoublePair x,
-                                           DoublePair y) {
+HWY_INLINE Shape PerlinShape(const PerlinBlock& block, Read read, DoublePair x, DoublePair y) {
   const Floats f;
   const Words w;
   const Reduced first = ReduceAt(block.first, read, x, y);
@@ -86,29 +85,19 @@ HWY_INLINE Contribution PerlinContribution(const PerlinBlock& block, Read read, 
   const VF dx0 = hn::Add(first.rest, half), dx1 = hn::Sub(first.rest, half);
   const VF dy0 = hn::Add(second.rest, half), dy1 = hn::Sub(second.rest, half);
   const Fade fadeX = FadeAt(first.rest);
-  const BlendedRow lower = RowOf(
-      GradientAt(block, read, Mix(left[0], lowest[0]), Mix(left[1], lowest[1])),
-      GradientAt(block, read, Mix(right[0], lowest[0]), Mix(right[1], lowest[1])), dx0, dx1, dy0,
-      fadeX);
-  const BlendedRow upper = RowOf(
-      GradientAt(block, read, Mix(left[0], highest[0]), Mix(left[1], highest[1])),
-      GradientAt(block, read, Mix(right[0], highest[0]), Mix(right[1], highest[1])), dx0, dx1, dy1,
-      fadeX);
+  const BlendedRow lower =
+      RowOf(GradientAt(block, read, Mix(left[0], lowest[0]), Mix(left[1], lowest[1])),
+            GradientAt(block, read, Mix(right[0], lowest[0]), Mix(right[1], lowest[1])), dx0, dx1,
+            dy0, fadeX);
+  const BlendedRow upper =
+      RowOf(GradientAt(block, read, Mix(left[0], highest[0]), Mix(left[1], highest[1])),
+            GradientAt(block, read, Mix(right[0], highest[0]), Mix(right[1], highest[1])), dx0, dx1,
+            dy1, fadeX);
   const Fade fadeY = FadeAt(second.rest);
-  const VF value = Mixed(lower.ramp, upper.ramp, fadeY.weight);
-  const VF byFirst = Mixed(lower.rampSlope, upper.rampSlope, fadeY.weight);
-  const VF bySecond = hn::MulAdd(hn::Sub(upper.ramp, lower.ramp), fadeY.slope,
-                                 Mixed(lower.gradientY, upper.gradientY, fadeY.weight));
-  const VF byTime = Mixed(lower.rate, upper.rate, fadeY.weight);
-  Contribution result;
-  result.height = hn::Mul(value, read(block.factors.height));
-  result.slopeX = hn::MulAdd(byFirst, read(block.factors.slopeX[1]),
-                             hn::Mul(bySecond, read(block.factors.slopeX[2])));
-  result.slopeY = hn::MulAdd(byFirst, read(block.factors.slopeY[1]),
-                             hn::Mul(bySecond, read(block.factors.slopeY[2])));
-  result.rate = Weighted(block.factors.rate, read, byTime, byFirst, bySecond);
-  result.orbitalX = result.orbitalY = hn::Zero(f);
-  return result;
+  return {Mixed(lower.ramp, upper.ramp, fadeY.weight), Mixed(lower.rate, upper.rate, fadeY.weight),
+          Mixed(lower.rampSlope, upper.rampSlope, fadeY.weight),
+          hn::MulAdd(hn::Sub(upper.ramp, lower.ramp), fadeY.slope,
+                     Mixed(lower.gradientY, upper.gradientY, fadeY.weight))};
 }
 
 }  // namespace HWY_NAMESPACE
