@@ -78,6 +78,9 @@ struct ProjectedGridOptions {
   glm::ivec2 grid{256, 256};        ///< vertices across, vertices along; ≥ 2 each
   double projectorElevation = 1.0;  ///< least height of the projector above the highest wave, m
   GridVariant variant = GridVariant::cpuVertices;
+  /// False: the picture stays on the graphics card, the frame carries statistics alone, and passes
+  /// are not waited for.
+  bool readBack = true;
 };
 
 /// Johanson's projected grid (2004), drawn through the context.

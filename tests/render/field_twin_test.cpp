@@ -151,6 +151,7 @@ TEST(FieldTwin, WhereTheFieldHasNoAnswerTheSeaIsStill) {
 }
 
 TEST(WaveMap, TalliesTheLargestHeightAndTheVerticesInView) {
+  test::sharedContext();
   const WaterSurface water = test::groupSea(1.2, 6.0);
   const Camera camera = test::cameraAt({0.0, 0.0, 6.0}, -10.0);
   const glm::ivec2 size(80, 60);
