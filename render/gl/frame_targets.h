@@ -30,7 +30,7 @@ struct FrameTargets {
   std::size_t memoryBytes() const;
 };
 
-/// Copies of `display` and `distance` as images.
+/// Copies `display` and `distance` into a frame of that size.
 void readBack(const FrameTargets& targets, Frame& frame);
 
 }  // namespace seaway::render

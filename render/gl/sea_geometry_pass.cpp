@@ -9,6 +9,8 @@ std::unique_ptr<SeaGeometryPass> makeSeaGeometryPass(GridVariant variant) {
   switch (variant) {
     case GridVariant::cpuVertices:
       return std::make_unique<CpuVerticesPass>();
+    case GridVariant::software:
+      break;
   }
   throw InputError("projected grid: variant '" + std::string(gridVariantName(variant)) +
                    "' does not draw through OpenGL");
