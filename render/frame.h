@@ -46,4 +46,7 @@ struct Frame {
   FrameStats stats;
 };
 
+/// Makes room for a picture of `size` pixels and forgets the last frame's statistics; memory is kept.
+void prepare(Frame& frame, glm::ivec2 size);
+
 }  // namespace seaway::render

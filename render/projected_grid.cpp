@@ -1,7 +1,5 @@
 #include <chrono>
-#include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "render/edge_smoothing.h"
 #include "render/gl/compute_shading.h"
@@ -10,9 +8,9 @@
 #include "render/gl/object_pass.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
+#include "render/grid_placement.h"
 #include "render/headless_context.h"
 #include "render/lighting_decision.h"
-#include "render/projector.h"
 #include "render/render_technique.h"
 #include "surface/input_error.h"
 
@@ -25,28 +23,16 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void check(const ProjectedGridOptions& options) {
-  if (options.grid.x < 2 || options.grid.y < 2) {
-    std::ostringstream message;
-    message << "projected grid: " << options.grid.x << " x " << options.grid.y
-            << " vertices are not allowed; there must be at least 2 each way";
-    throw InputError(message.str());
-  }
-  if (!(options.projectorElevation > 0.0 && std::isfinite(options.projectorElevation))) {
-    throw InputError("projected grid: projector elevation must be above 0 m and finite");
-  }
-}
-
 class ProjectedGridTechnique final : public RenderTechnique {
  public:
   ProjectedGridTechnique(HeadlessContext& context, const ProjectedGridOptions& options)
       : context_(context), options_(options), gpuClock_(!context.isSoftware()) {
-    check(options_);
+    validate(options_);
   }
   ~ProjectedGridTechnique() override { context_.makeCurrent(); }  // for the names it deletes
 
   std::string name() const override { return "projected_grid"; }
-  Frame draw(const View& view) override;
+  void drawInto(const View& view, Frame& frame) override;
 
  private:
   /// Runs one pass to its end and notes its time, charged to `effect` where one is given.
@@ -63,7 +49,6 @@ class ProjectedGridTechnique final : public RenderTechnique {
     if (effect) view.effects->charge(*effect, 1e3 * milliseconds);
   }
   void prepareTargets(const Camera& camera);
-  bool placeSea(const View& view, FrameStats& stats);
   Shown drawGeometry(const View& view, FrameStats& stats);
   void shade(const View& view, const Shown& shown, FrameStats& stats);
   void read(const View& view, Frame& frame);
@@ -100,37 +85,17 @@ void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
   if (noVertices_ == 0) noVertices_ = makeVertexArray();
 }
 
-/// True if there is water to draw. Where a wave passes the bounds that placed the grid, the grid is
-/// placed again with room for it.
-bool ProjectedGridTechnique::placeSea(const View& view, FrameStats& stats) {
-  const ProjectorOptions options{.elevation = options_.projectorElevation};
-  double bound = view.water->heightBound();
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    const auto projector = Projector::aimedAt(view.camera, bound, options);
-    const bool runs = view.effects->decide(
-        Effect::water, projector.has_value(),
-        projector ? "the waves' volume meets the camera's view" : "no water in the camera's view");
-    if (!runs || !projector) return false;
-    if (!sea_) sea_ = makeSeaGeometryPass(options_.variant);
-    const SeaPlacement placed = sea_->place(view, *projector, options_.grid);
-    stats.vertices = placed.vertices;
-    stats.vertexEfficiency = static_cast<double>(placed.verticesInFrustum) / placed.vertices;
-    if (placed.largestHeight <= bound) break;
-    bound = 1.05 * placed.largestHeight;
-    ++stats.boundRedraws;
-  }
-  return true;
-}
-
 Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) {
   Shown shown;
   const Clock::time_point start = Clock::now();
-  if (view.water) shown.water = placeSea(view, stats);
+  const auto place = [&](const Projector& projector) {
+    if (!sea_) sea_ = makeSeaGeometryPass(options_.variant);
+    return sea_->place(view, projector, options_.grid);
+  };
+  shown.water = placeSea(view, options_.projectorElevation, place, stats).has_value();
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
-  const glm::dvec3 eye = view.camera.position;
-  shown.cameraIsUnderWater =
-      shown.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
+  shown.cameraIsUnderWater = shown.water && cameraIsUnderWater(view);
   if (shown.water) view.effects->charge(Effect::water, 1e3 * fillMs);
 
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->geometry);
@@ -216,12 +181,11 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }
 
-Frame ProjectedGridTechnique::draw(const View& view) {
+void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   validate(view.camera);
   context_.makeCurrent();
   prepareTargets(view.camera);
-
-  Frame frame;
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0));
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();
@@ -232,7 +196,6 @@ Frame ProjectedGridTechnique::draw(const View& view) {
   holdMemory(*view.effects);
   frame.stats.gpuMs = gpuClock_.collect();
   checkGl("projected grid");
-  return frame;
 }
 
 }  // namespace
@@ -247,6 +210,8 @@ std::string_view gridVariantName(GridVariant variant) {
       return "cpu_vertices_gpu_normals";
     case GridVariant::marched:
       return "marched";
+    case GridVariant::software:
+      return "software";
   }
   return "";
 }

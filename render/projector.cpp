@@ -119,34 +119,76 @@ glm::dvec2 Projector::basePoint(double u, double v) const {
   return glm::dvec2(point) / point.z;
 }
 
+double Projector::along(double v) const {
+  const double c = std::cos(depression_), s = std::sin(depression_);
+  const double y = glm::mix(range_.least.y, range_.most.y, v);
+  return position_.z * (c + y * s) / (s - y * c);
+}
+
+double Projector::logarithm(double v) const {
+  return std::asinh((along(v) - glm::length(glm::dvec2(position_))) / rowScale_);
+}
+
 std::vector<double> Projector::rows(int count) const {
   const double c = std::cos(depression_), s = std::sin(depression_);
-  const auto along =
-      [&](double v) {  // distance from the projector's foot, the same all along a row
-        const double y = glm::mix(range_.least.y, range_.most.y, v);
-        return position_.z * (c + y * s) / (s - y * c);
-      };
   const double back = glm::length(glm::dvec2(position_));
-  const auto logarithm = [&](double v) { return std::asinh((along(v) - back) / rowScale_); };
   const double first = logarithm(0.0), last = logarithm(1.0);
-  // Share of rows nearer than v; growing, so bisection inverts it.
-  const auto share = [&](double v) {
-    const double even = last > first ? (logarithm(v) - first) / (last - first) : v;
-    return glm::mix(v, even, logarithmicRows_);
+  const auto placeAt = [&](double level) {  // v where the logarithm is `level`
+    const double distance = back + rowScale_ * std::sinh(level);
+    const double y = (distance * s - position_.z * c) / (distance * c + position_.z * s);
+    return (y - range_.least.y) / (range_.most.y - range_.least.y);
   };
   std::vector<double> result(count);
-  for (int i = 0; i < count; ++i) {
+  double before = first;
+  for (int i = 1; i + 1 < count; ++i) {
     const double wanted = static_cast<double>(i) / (count - 1);
-    double low = 0.0, high = 1.0;
-    for (int step = 0; step < 52; ++step) {
-      const double middle = 0.5 * (low + high);
-      (share(middle) < wanted ? low : high) = middle;
+    // Share of rows nearer than a level, less what is wanted; growing: false position inverts it.
+    const auto excess = [&](double level) {
+      return glm::mix(placeAt(level), (level - first) / (last - first), logarithmicRows_) - wanted;
+    };
+    double low = before, high = last, below = excess(low), above = excess(high);
+    for (int step = 0; step < 60 && high - low > 1e-13 * (1.0 + std::abs(high)); ++step) {
+      const double middle = below < 0.0 && above > 0.0 && step % 4 != 3
+                                ? (low * above - high * below) / (above - below)
+                                : 0.5 * (low + high);
+      const double there = excess(middle);
+      if (there == 0.0) {
+        low = high = middle;
+      } else if (there < 0.0) {
+        low = middle, below = there, above *= 0.5;
+      } else {
+        high = middle, above = there, below *= 0.5;
+      }
     }
-    result[i] = 0.5 * (low + high);
+    before = 0.5 * (low + high);
+    result[i] = last > first ? std::clamp(placeAt(before), 0.0, 1.0) : wanted;
   }
   result.front() = 0.0;
   result.back() = 1.0;
   return result;
+}
+
+Projector::GridFromPlane Projector::gridFromPlane() const {
+  const double c = std::cos(depression_), s = std::sin(depression_);
+  const double first = logarithm(0.0), last = logarithm(1.0);
+  const glm::dvec2 per = 1.0 / (range_.most - range_.least);
+  GridFromPlane g;
+  g.foot = glm::vec2(position_);
+  g.azimuth = glm::vec2(azimuth_);
+  g.cosine = static_cast<float>(c);
+  g.sine = static_cast<float>(s);
+  g.heightSine = static_cast<float>(position_.z * s);
+  g.heightCosine = static_cast<float>(position_.z * c);
+  g.leastX = static_cast<float>(range_.least.x);
+  g.leastY = static_cast<float>(range_.least.y);
+  g.perX = static_cast<float>(per.x);
+  g.perY = static_cast<float>(per.y);
+  g.back = static_cast<float>(glm::length(glm::dvec2(position_)));
+  g.perScale = static_cast<float>(1.0 / rowScale_);
+  g.first = static_cast<float>(first);
+  g.perLog = static_cast<float>(last > first ? 1.0 / (last - first) : 0.0);
+  g.logarithmic = last > first ? static_cast<float>(logarithmicRows_) : 0.0f;
+  return g;
 }
 
 }  // namespace seaway::render

@@ -57,9 +57,16 @@ class RenderTechnique {
   virtual ~RenderTechnique() = default;
   virtual std::string name() const = 0;
 
-  /// Draws `view`. The technique owns its GL objects and reuses them between frames; the context
-  /// it was made with must outlive it. Not thread-safe.
-  virtual Frame draw(const View& view) = 0;
+  /// Draws `view` into `frame`, whose memory is used again. The technique owns what it draws with
+  /// and reuses it between frames; a context it was made with must outlive it. Not thread-safe.
+  virtual void drawInto(const View& view, Frame& frame) = 0;
+
+  /// The same into a frame of its own.
+  Frame draw(const View& view) {
+    Frame frame;
+    drawInto(view, frame);
+    return frame;
+  }
 };
 
 /// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
@@ -69,8 +76,9 @@ enum class GridVariant {
   cpuVerticesGpuNormals,  ///< an eighth of the vertices each way by the processor, slopes at all
                           ///< points of the grid by the graphics card
   marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
+  software,               ///< raster and shading by the processor too: no GL at all
 };
-/// Name as on the command line: "cpu_vertices".
+/// Name as on the command line: "cpu_vertices", "software".
 std::string_view gridVariantName(GridVariant variant);
 
 /// How finely the projected grid samples the sea, and by which variant.
@@ -82,6 +90,11 @@ struct ProjectedGridOptions {
   /// are not waited for.
   bool readBack = true;
 };
+
+/// Johanson's projected grid (2004) without OpenGL: `options.variant` is not looked at. The fastest
+/// where the only OpenGL is software. Threads of TBB's pool share the work; the picture does not
+/// depend on how many there are.
+std::unique_ptr<RenderTechnique> makeSoftwareGrid(const ProjectedGridOptions& options = {});
 
 /// Johanson's projected grid (2004), drawn through the context.
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,

@@ -19,25 +19,26 @@ std::string_view CpuVerticesPass::variant() const {
 
 SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector,
                                     glm::ivec2 size) {
-  grid_.fill(*view.water, view.time, view.camera, projector, size);
-  return {grid_.largestHeight(), grid_.vertices().size(), grid_.verticesInFrustum()};
+  grid_.fill(view.water->at(view.time), view.camera, projector, size);
+  mesh_.fill(grid_, view.camera);
+  return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};
 }
 
 void CpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativeWorld,
                            bool cameraIsUnderWater) {
-  if (grid_.indices().empty()) return;
-  vertices_.put(std::span(grid_.vertices()));
-  indices_.put(std::span(grid_.indices()));
+  if (mesh_.indices().empty()) return;
+  vertices_.put(std::span(mesh_.vertices()));
+  indices_.put(std::span(mesh_.indices()));
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   setWaterStencil(cameraIsUnderWater);
   glUseProgram(program_);
   glBindVertexArray(array_);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid_.indices().size()), GL_UNSIGNED_INT,
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.indices().size()), GL_UNSIGNED_INT,
                  nullptr);
 }
 
 std::size_t CpuVerticesPass::memoryBytes() const {
-  return grid_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes();
+  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes();
 }
 
 }  // namespace seaway::render

@@ -2,7 +2,7 @@
 
 #include "render/gl/buffers.h"
 #include "render/gl/sea_geometry_pass.h"
-#include "render/sea_grid.h"
+#include "render/gl/sea_mesh.h"
 
 namespace seaway::render {
 
@@ -18,6 +18,7 @@ class CpuVerticesPass final : public SeaGeometryPass {
 
  private:
   SeaGrid grid_;
+  SeaMesh mesh_;
   GlProgram program_;
   GlGrowingBuffer vertices_, indices_;
   GlVertexArray array_;

@@ -36,11 +36,6 @@ std::size_t FrameTargets::memoryBytes() const {
 void readBack(const FrameTargets& targets, Frame& frame) {
   const glm::ivec2 size = targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
-  frame.colour.size = frame.depth.size = size;
-  frame.colour.rgb.resize(3 * pixels);
-  frame.depth.metres.resize(pixels);
-  frame.classes.resize(pixels);
-
   std::vector<std::uint8_t> rgba(4 * pixels);
   glGetTextureImage(targets.display, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     static_cast<GLsizei>(rgba.size()), rgba.data());

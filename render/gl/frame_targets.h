@@ -36,7 +36,7 @@ struct FrameTargets {
   GlTexture displayBytes_;
 };
 
-/// Copies of `display` and `distance` as images.
+/// Copies `display` and `distance` into a frame of that size.
 void readBack(const FrameTargets& targets, Frame& frame);
 
 }  // namespace seaway::render

@@ -17,28 +17,29 @@ std::string_view GpuNormalsPass::variant() const {
 
 SeaPlacement GpuNormalsPass::place(const View& view, const Projector& projector, glm::ivec2 size) {
   vertexCount_ = size / 8 + 1;
-  grid_.fill(*view.water, view.time, view.camera, projector, vertexCount_);
+  grid_.fill(view.water->at(view.time), view.camera, projector, vertexCount_);
+  mesh_.fill(grid_, view.camera);
   waves_.fill(view, projector, size);
-  return {grid_.largestHeight(), grid_.vertices().size(), grid_.verticesInFrustum()};
+  return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};
 }
 
 void GpuNormalsPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativeWorld,
                           bool cameraIsUnderWater) {
-  if (grid_.indices().empty()) return;
-  vertices_.put(std::span(grid_.vertices()));
-  indices_.put(std::span(grid_.indices()));
+  if (mesh_.indices().empty()) return;
+  vertices_.put(std::span(mesh_.vertices()));
+  indices_.put(std::span(mesh_.indices()));
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   program_.set("vertices", vertexCount_);
   program_.setTexture("waveMap", 0, waves_.map().texture());
   setWaterStencil(cameraIsUnderWater);
   glUseProgram(program_);
   glBindVertexArray(array_);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(grid_.indices().size()), GL_UNSIGNED_INT,
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.indices().size()), GL_UNSIGNED_INT,
                  nullptr);
 }
 
 std::size_t GpuNormalsPass::memoryBytes() const {
-  return grid_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes() +
+  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes() +
          waves_.memoryBytes();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/gl/projected_waves.h"
-#include "render/sea_grid.h"
+#include "render/gl/sea_mesh.h"
 
 namespace seaway::render {
 
@@ -23,6 +23,7 @@ class GpuNormalsPass final : public SeaGeometryPass {
   GlVertexArray array_;
   ProjectedWaves waves_;
   SeaGrid grid_;
+  SeaMesh mesh_;
   glm::ivec2 vertexCount_{0};
 };
 

@@ -24,6 +24,8 @@ std::unique_ptr<SeaGeometryPass> makeSeaGeometryPass(GridVariant variant) {
       return std::make_unique<GpuNormalsPass>();
     case GridVariant::marched:
       return std::make_unique<MarchedPass>();
+    case GridVariant::software:
+      break;
   }
   throw InputError("projected grid: variant '" + std::string(gridVariantName(variant)) +
                    "' does not draw through OpenGL");

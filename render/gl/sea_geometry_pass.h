@@ -6,17 +6,10 @@
 #include <string_view>
 
 #include "render/gl/frame_targets.h"
-#include "render/projector.h"
+#include "render/grid_placement.h"
 #include "render/render_technique.h"
 
 namespace seaway::render {
-
-/// What placing a grid on the sea told.
-struct SeaPlacement {
-  double largestHeight = 0.0;  ///< largest |height| of the grid's vertices, m
-  std::size_t vertices = 0;
-  std::size_t verticesInFrustum = 0;
-};
 
 /// How the sea's surface gets into the geometry framebuffer: the stage of the projected grid that
 /// its variants differ in (Johanson 2004, "CPU-based vertex processing" and the GPU variants).

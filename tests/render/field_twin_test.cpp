@@ -159,7 +159,7 @@ TEST(WaveMap, TalliesTheLargestHeightAndTheVerticesInView) {
   const std::vector<TwinRow> rows = rowsFor(camera, water, size);
   const auto projector = Projector::aimedAt(camera, water.heightBound());
   SeaGrid grid;
-  grid.fill(water, 3.0, camera, *projector, size);
+  grid.fill(water.at(3.0), camera, *projector, size);
   const GlVertexArray noVertices = makeVertexArray();
   glBindVertexArray(noVertices);
   for (const WaveMap::Way way : {WaveMap::Way::fragment, WaveMap::Way::compute}) {
@@ -167,7 +167,7 @@ TEST(WaveMap, TalliesTheLargestHeightAndTheVerticesInView) {
     map.fill(twin, rows, size.x, camera);
     EXPECT_NEAR(map.tally().largestHeight, grid.largestHeight(), 1e-5);
     // A vertex on the picture's edge may fall to either side.
-    EXPECT_NEAR(static_cast<double>(map.tally().verticesInFrustum), grid.verticesInFrustum(), 3.0);
+    EXPECT_NEAR(static_cast<double>(map.tally().verticesInFrustum), grid.verticesInFrustum(camera), 3.0);
   }
 }
 
