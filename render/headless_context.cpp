@@ -49,7 +49,8 @@ BackendName checked(const std::string& backend) {
 void requireBackend(const std::string& backend) { checked(backend); }
 
 std::vector<std::string> headlessBackends() {
-  std::vector<std::string> result{"osmesa"};
+  std::vector<std::string> result;
+  if (osmesaIsInstalled()) result.emplace_back("osmesa");
   if (eglIsHeadless()) result.emplace_back("egl");
   const int devices = eglDeviceCount();
   for (int device = 0; device < devices; ++device) {

@@ -30,7 +30,7 @@ class HeadlessContext {
 
 /// Makes a context with OpenGL 4.5 core, current and loaded, of the backend
 ///
-///   "osmesa"  Mesa's software renderer,
+///   "osmesa"  Mesa's software renderer, where its library is installed,
 ///   "egl"     EGL without a surface: what Mesa finds best; where there is no Mesa, the first EGL
 ///             device that offers OpenGL 4.5,
 ///   "egl:N"   EGL device number N.

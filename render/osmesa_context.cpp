@@ -2,10 +2,13 @@
 #include "render/osmesa_context.h"
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 #include "render/loaded_context.h"
 
@@ -17,9 +20,36 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 namespace seaway::render {
 namespace {
 
+/// OSMesa's functions, looked up when first needed: newer Mesa has no OSMesa any more, and what
+/// draws through EGL shall not need it.
+struct Osmesa {
+  Osmesa() {
+    void* library = dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL);
+    if (!library) throw std::runtime_error(std::string("OSMesa is not installed: ") + dlerror());
+    const auto find = [&](auto& function, const char* name) {
+      function =
+          reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+      if (!function) throw std::runtime_error(std::string("OSMesa lacks ") + name);
+    };
+    find(createContext, "OSMesaCreateContextAttribs");
+    find(destroyContext, "OSMesaDestroyContext");
+    find(makeCurrent, "OSMesaMakeCurrent");
+    find(getProcAddress, "OSMesaGetProcAddress");
+  }
+  decltype(&OSMesaCreateContextAttribs) createContext;
+  decltype(&OSMesaDestroyContext) destroyContext;
+  decltype(&OSMesaMakeCurrent) makeCurrent;
+  decltype(&OSMesaGetProcAddress) getProcAddress;
+};
+
+const Osmesa& osmesa() {
+  static const Osmesa functions;
+  return functions;
+}
+
 class OsmesaContext final : public LoadedContext {
  public:
-  OsmesaContext() : LoadedContext(&OSMesaGetProcAddress) {
+  OsmesaContext() : LoadedContext(osmesa().getProcAddress) {
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_PROFILE,
@@ -29,7 +59,7 @@ class OsmesaContext final : public LoadedContext {
                               OSMESA_CONTEXT_MINOR_VERSION,
                               5,
                               0};
-    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+    context_ = osmesa().createContext(attributes, nullptr);
     if (!context_) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
     try {
       load();
@@ -46,14 +76,14 @@ class OsmesaContext final : public LoadedContext {
 
  private:
   void bind() override {
-    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side)) {
+    if (!osmesa().makeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side)) {
       throw std::runtime_error("OSMesa context cannot be made current");
     }
   }
-  void unbind() noexcept override { OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+  void unbind() noexcept override { osmesa().makeCurrent(nullptr, nullptr, 0, 0, 0); }
   void destroy() {
     release();
-    OSMesaDestroyContext(context_);
+    osmesa().destroyContext(context_);
   }
 
   static constexpr int side = 4;
@@ -63,6 +93,15 @@ class OsmesaContext final : public LoadedContext {
 };
 
 }  // namespace
+
+bool osmesaIsInstalled() {
+  try {
+    osmesa();
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
 
 std::unique_ptr<HeadlessContext> makeOsmesaContext() { return std::make_unique<OsmesaContext>(); }
 
