@@ -58,6 +58,7 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
     program.set(element("rippleAlong", i).c_str(), c.rippleAlong[i]);
     program.set(element("rippleTexelsPerMetre", i).c_str(), c.rippleTexelsPerMetre[i]);
   }
+  for (int i = 0; i < 8; ++i) program.set(element("rippleKept", i).c_str(), c.rippleKept[i]);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "render/gl/shading_textures.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -49,15 +50,14 @@ GLuint ShadingTextures::fresnel() {
 
 GLuint ShadingTextures::ripples() {
   if (ripples_ != 0) return ripples_;
-  std::vector<glm::vec3> texels;
+  std::vector<glm::vec2> texels;
   for (const std::uint32_t texel : shadingTables().ripples) {
-    const RippleMoments moments = unpackRipple(texel);
-    texels.emplace_back(moments.x, moments.y, moments.square);
+    texels.push_back(unpackRipple(texel));
   }
   constexpr int wholeSide = ShadingTables::rippleSide, levels = ShadingTables::rippleLevels;
-  ripples_ = makeTexture(GL_RGBA32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
+  ripples_ = makeTexture(GL_RG32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
   forEachLevel(wholeSide, levels, [&](int level, int side, int first) {
-    glTextureSubImage2D(ripples_, level, 0, 0, side, side, GL_RGB, GL_FLOAT,
+    glTextureSubImage2D(ripples_, level, 0, 0, side, side, GL_RG, GL_FLOAT,
                         texels.data() + first);
   });
   glTextureParameteri(ripples_, GL_TEXTURE_WRAP_S, GL_REPEAT);
@@ -71,7 +71,7 @@ std::size_t ShadingTextures::skyMemoryBytes() const {
 
 std::size_t ShadingTextures::waterMemoryBytes() const {
   return (fresnel_ == 0 ? 0 : std::size_t{fresnelColumns} * fresnelRows * 16) +
-         (ripples_ == 0 ? 0 : shadingTables().ripples.size() * 16);
+         (ripples_ == 0 ? 0 : shadingTables().ripples.size() * 8);
 }
 
 }  // namespace seaway::render

@@ -20,9 +20,10 @@ uniform float crestScale, rippleDeviation, hairSlope, rippleLastLevel;
 uniform vec2 rippleFromWorld[4];
 uniform vec2 rippleOrigin[2], rippleAlong[2];
 uniform float rippleTexelsPerMetre[2];
+uniform float rippleKept[8];
 
 uniform sampler2D dome;          // paraboloid sky, mip levels blur it
-uniform sampler2D rippleMap;     // (slope.xy, |slope|²) of unit mean square, by mip level
+uniform sampler2D rippleMap;     // slopes of unit mean square, by mip level
 uniform sampler2D fresnelTable;  // (reflectance, tilt, area) by √cosine and slope deviation
 uniform float roughestSlope;     // slope deviation at the table's end
 
@@ -31,7 +32,10 @@ vec3 skyTexel(vec2 coordinate, float level) {
 }
 
 vec3 rippleMoments(vec2 coordinate, float level) {
-  return textureLod(rippleMap, coordinate, level).xyz;
+  float whole = floor(clamp(level, 0.0, rippleLastLevel));
+  float here = rippleKept[int(whole)];
+  float kept = mix(here, rippleKept[int(whole) + 1], clamp(level, 0.0, rippleLastLevel) - whole);
+  return vec3(textureLod(rippleMap, coordinate, whole).xy * sqrt(kept / max(here, 1e-6)), kept);
 }
 
 vec3 roughFresnel(float rootCosine, float deviation) {

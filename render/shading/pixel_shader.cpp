@@ -13,21 +13,15 @@
 #include "hwy/foreach_target.h"
 #include "render/shading/lanes-inl.h"
 
-#ifndef SEAWAY_SRGB_TABLE
-#define SEAWAY_SRGB_TABLE
+#ifndef SEAWAY_TONE_TABLE
+#define SEAWAY_TONE_TABLE
 namespace seaway::render {
-/// Rounded sRGB bytes by 4095 times the root of a linear value: the root spreads the steps so that
-/// none is larger than a third of a byte.
-struct SrgbTable {
-  std::array<std::uint32_t, 4096> bytes{};
-  SrgbTable() {
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      const double root = static_cast<double>(i) / 4095.0, linear = root * root;
-      const double encoded =
-          linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-      bytes[i] = static_cast<std::uint32_t>(255.0 * encoded + 0.5);
-    }
-  }
+/// sRGB bytes of exposed radiance, by its root: the root spreads the steps so that none is larger
+/// than a third of a byte. Two more bytes than steps, for fetches of words.
+struct ToneTable {
+  static constexpr int steps = 8192;
+  static constexpr float perRoot = 2048.0f;  // up to 16, which is white
+  std::array<std::uint8_t, steps + 4> bytes{};
 };
 }  // namespace seaway::render
 #endif
@@ -77,11 +71,9 @@ HWY_INLINE Real3 skyTexel(VU word) {
   return Real3(bitField<0, 9>(word), bitField<9, 9>(word), bitField<18, 9>(word)) * scale;
 }
 
-HWY_INLINE Real3 rippleTexel(VU word) {
-  constexpr float span = ShadingTables::rippleSpan;
-  const Real root = bitField<22, 10>(word) * Real(span / 1023.0f);
-  return {bitField<0, 11>(word) * Real(2.0f * span / 2046.0f) - span,
-          bitField<11, 11>(word) * Real(2.0f * span / 2046.0f) - span, root * root};
+HWY_INLINE Real2 rippleTexel(VU word) {
+  const VI bits = hn::BitCast(Ints(), word);
+  return {toReal(hn::ShiftRight<16>(hn::ShiftLeft<16>(bits))), toReal(hn::ShiftRight<16>(bits))};
 }
 
 template <class Decode>
@@ -129,18 +121,22 @@ struct PixelShader : ShadingConstants {
     return mix(finer, skyAtLevel(coordinate, high), part);
   }
 
-  HWY_INLINE Real3 ripplesAtLevel(Real2 coordinate, Real level) const {
-    const Level l = levelOf(ShadingTables::rippleSide, level);
-    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
-    return bilinear(tables.ripples.data(), wrappedCorners(place, l.side, l.start),
-                    [](VU word) HWY_ATTR { return rippleTexel(word); });
-  }
   HWY_INLINE Real3 rippleMoments(Real2 coordinate, Real level) const {
-    const Real clamped = clamp(level, 0.0f, rippleLastLevel);
-    const Real low = floor(clamped), part = clamped - low;
-    const Real3 finer = ripplesAtLevel(coordinate, low);
-    if (!anyOf(part > 0.0f)) return finer;
-    return mix(finer, ripplesAtLevel(coordinate, min(low + 1.0f, rippleLastLevel)), part);
+    const Real clamped = clamp(level, 0.0f, rippleLastLevel), whole = floor(clamped);
+    const VI index = toInt(whole);
+    const Real here = gather(rippleKept, index);
+    const Real kept = mix(here, gather(rippleKept, hn::Add(index, setInt(1))), clamped - whole);
+    const Level l = levelOf(ShadingTables::rippleSide, whole);
+    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
+    const Corners c = wrappedCorners(place, l.side, l.start);
+    const auto texel = [&](int i) HWY_ATTR {
+      return rippleTexel(gather(tables.ripples.data(), c.at[i]));
+    };
+    const Real2 a = texel(0), low = a + (texel(1) - a) * c.part.x;
+    const Real2 b = texel(2), high = b + (texel(3) - b) * c.part.x;
+    const Real scale = sqrt(kept / max(here, 1e-6f)) * (ShadingTables::rippleSpan / 32767.0f);
+    const Real2 slope = (low + (high - low) * c.part.y) * scale;
+    return {slope.x, slope.y, kept};
   }
 
   HWY_INLINE Corners fresnelCorners(Real rootCosine, Real deviation) const {
@@ -216,20 +212,36 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
 }
 
 void ShadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
-               const std::uint32_t* srgb, const PixelSpan& span, std::uint8_t* rgb) {
+               const ToneTable& tones, const PixelSpan& span, std::uint8_t* rgb) {
   const hn::Rebind<std::uint8_t, Floats> bytes;
   const int lanes = static_cast<int>(laneCount());
   PixelShader shader(constants, skyTexels);
   alignas(64) std::uint8_t colours[3 * pixelsPerSpan + 3 * 64];
-  const auto encode = [&](Real linear) HWY_ATTR {
-    return hn::DemoteTo(bytes, hn::BitCast(Ints(), gather(srgb, toInt(sqrt(linear) * 4095.0f + 0.5f))));
+  const auto encode = [&](Real radiance) HWY_ATTR {
+    const Real root = sqrt(max(radiance * shader.exposure, 0.0f)) * ToneTable::perRoot;
+    const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
+    const auto* from = reinterpret_cast<const std::int32_t*>(tones.bytes.data());
+    const VI word = hn::GatherOffset(Ints(), from, at);
+    return hn::DemoteTo(bytes, hn::And(word, setInt(255)));
   };
   for (int i = 0; i < span.count; i += lanes) {
-    const Real3 shown = shader.filmic(radianceAt(shader, span, i));
-    hn::StoreInterleaved3(encode(shown.x), encode(shown.y), encode(shown.z), bytes,
+    const Real3 radiance = radianceAt(shader, span, i);
+    hn::StoreInterleaved3(encode(radiance.x), encode(radiance.y), encode(radiance.z), bytes,
                           colours + 3 * i);
   }
   std::memcpy(rgb, colours, 3 * static_cast<std::size_t>(span.count));
+}
+
+void FillTones(ToneTable& tones) {
+  PixelShader shader(ShadingConstants{}, nullptr);
+  for (int i = 0; i < ToneTable::steps; ++i) {
+    const float root = static_cast<float>(i) / ToneTable::perRoot;
+    const Real3 shown = shader.filmic(Real3(glm::vec3(root * root)));
+    const double linear = hn::GetLane(shown.x.v);
+    const double encoded =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    tones.bytes[i] = static_cast<std::uint8_t>(255.0 * encoded + 0.5);
+  }
 }
 
 }  // namespace
@@ -241,11 +253,16 @@ HWY_AFTER_NAMESPACE();
 namespace seaway::render {
 
 HWY_EXPORT(ShadeSpan);
+HWY_EXPORT(FillTones);
 
 void shadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
                const PixelSpan& span, std::uint8_t* rgb) {
-  static const SrgbTable srgb;
-  HWY_DYNAMIC_DISPATCH(ShadeSpan)(constants, skyTexels, srgb.bytes.data(), span, rgb);
+  static const ToneTable tones = [] {
+    ToneTable made;
+    HWY_DYNAMIC_DISPATCH(FillTones)(made);
+    return made;
+  }();
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(constants, skyTexels, tones, span, rgb);
 }
 
 }  // namespace seaway::render

@@ -75,7 +75,7 @@ SHADER Real addRipples(Real3 relative, Real distance, Real cosine, INOUT(Real2) 
   Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(cosine, 0.02f));
   for (int i = 0; i < 2; ++i) {
     Real level = log2(max(footprint * rippleTexelsPerMetre[i], 1e-6f));
-    Real3 moments = Real3(0.0f, 0.0f, 1.0f);
+    Real3 moments = Real3(0.0f, 0.0f, 0.0f);
     if (anyOf(level < rippleLastLevel)) {
       vec2 x = rippleFromWorld[2 * i];
       vec2 y = rippleFromWorld[2 * i + 1];
@@ -86,8 +86,7 @@ SHADER Real addRipples(Real3 relative, Real distance, Real cosine, INOUT(Real2) 
     vec2 along = rippleAlong[i];
     slope = slope + rippleDeviation * Real2(along.x * moments.x - along.y * moments.y,
                                             along.y * moments.x + along.x * moments.y);
-    left = left + rippleDeviation * rippleDeviation *
-                      max(moments.z - moments.x * moments.x - moments.y * moments.y, 0.0f);
+    left = left + rippleDeviation * rippleDeviation * max(1.0f - moments.z, 0.0f);
   }
   return left;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "render/render_technique.h"
 #include "render/ripples.h"
@@ -58,6 +59,8 @@ void setRipples(ShadingConstants& c, const View& view) {
   c.rippleDeviation = static_cast<float>(std::sqrt(ripples.layerSlope));
   c.hairSlope = static_cast<float>(ripples.hairSlope);
   c.rippleLastLevel = ShadingTables::rippleLevels - 1.0f;
+  std::copy(std::begin(shadingTables().rippleKept), std::end(shadingTables().rippleKept),
+            c.rippleKept);
   for (int layer = 0; layer < 2; ++layer) {
     const glm::dmat2& matrix = ripples.textureFromWorld[layer];
     c.rippleFromWorld[2 * layer] = glm::vec2(matrix[0]);

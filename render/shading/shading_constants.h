@@ -41,6 +41,7 @@ struct ShadingConstants {
   glm::vec2 rippleOrigin[2]{};     ///< texture coordinates of the camera's foot point
   glm::vec2 rippleAlong[2]{};      ///< unit vector of each patch's first axis
   float rippleTexelsPerMetre[2]{};
+  float rippleKept[8]{};  ///< mean-square slope left in each mip level
 };
 
 /// What is lit in a frame.

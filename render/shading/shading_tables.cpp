@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/packing.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -30,13 +32,14 @@ void addRipples(ShadingTables& tables) {
   std::vector<glm::vec3> image = rippleTexture(ShadingTables::rippleSide);
   int side = ShadingTables::rippleSide;
   for (int level = 0; level < ShadingTables::rippleLevels; ++level, side /= 2) {
-    const bool last = level + 1 == ShadingTables::rippleLevels;
+    const float kept = level + 1 < ShadingTables::rippleLevels ? 1.0f : 0.0f;
+    double squares = 0.0;
     for (const glm::vec3& moments : image) {
-      const glm::vec3 kept = last ? glm::vec3(0.0f, 0.0f, 1.0f) : moments;
-      tables.ripples.push_back(quantised(kept.x, -span, span, 2046u) |
-                               quantised(kept.y, -span, span, 2046u) << 11 |
-                               quantised(std::sqrt(kept.z), 0.0f, span, 1023u) << 22);
+      const glm::vec2 slope = kept * glm::vec2(moments);
+      squares += glm::dot(slope, slope);
+      tables.ripples.push_back(glm::packSnorm2x16(slope / span));
     }
+    tables.rippleKept[level] = static_cast<float>(squares / static_cast<double>(image.size()));
     std::vector<glm::vec3> half;
     for (int y = 0; y < side; y += 2) {
       for (int x = 0; x < side; x += 2) {
@@ -64,13 +67,8 @@ std::size_t ShadingTables::memoryBytes() const {
   return (mirror.size() + area.size() + ripples.size()) * sizeof(std::uint32_t);
 }
 
-RippleMoments unpackRipple(std::uint32_t texel) {
-  constexpr float span = ShadingTables::rippleSpan;
-  const auto slope = [](std::uint32_t bits) {
-    return static_cast<float>(bits) * (2.0f * span / 2046.0f) - span;
-  };
-  const float root = static_cast<float>(texel >> 22) * (span / 1023.0f);
-  return {slope(texel & 2047u), slope(texel >> 11 & 2047u), root * root};
+glm::vec2 unpackRipple(std::uint32_t texel) {
+  return glm::unpackSnorm2x16(texel) * ShadingTables::rippleSpan;
 }
 
 }  // namespace seaway::render

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <vector>
 
 namespace seaway::render {
@@ -18,21 +19,20 @@ struct ShadingTables {
   /// high ones (both of [0, 1]), and the area.
   std::vector<std::uint32_t> mirror;
   std::vector<float> area;
-  /// rippleTexture and its mip levels, one after the other: slope x and y in 11 bits each of
-  /// ±`rippleSpan`, √ of |slope|² in 10 bits of [0, rippleSpan].
+  /// Slopes of rippleTexture and its mip levels, one after the other: x in the low 16 bits and y in
+  /// the high ones, signed, in steps of rippleSpan/32767.
   std::vector<std::uint32_t> ripples;
   static constexpr float rippleSpan = 5.0f;
+  /// Mean-square slope that is left in each level; level 0 has 1, the last none.
+  float rippleKept[rippleLevels] = {};
 
   std::size_t memoryBytes() const;
 };
 
 const ShadingTables& shadingTables();
 
-/// What a packed texel stands for: (slope x, slope y, |slope|²), as both shaders decode it.
-struct RippleMoments {
-  float x, y, square;
-};
-RippleMoments unpackRipple(std::uint32_t texel);
+/// Slope that a packed texel stands for.
+glm::vec2 unpackRipple(std::uint32_t texel);
 
 /// First texel of a level in a chain of square levels that starts with `side`, a power of two.
 constexpr int levelStart(int side, int level) {

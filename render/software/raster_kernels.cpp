@@ -59,7 +59,7 @@ HWY_INLINE void setUp(const Corner (&p)[3], const StripPixels& strip, Triangles&
     hn::Store(down.v, f, out.downEdge[k] + at);
   }
   // A triangle without area lies on its edges; its depth is one corner's, kept within bounds.
-  const Real perArea = choose(abs(area) > 1e-12f, Real(1.0f) / area, 0.0f);
+  const Real perArea = choose(abs(area) > 1e-12f, exactQuotient(1.0f, area), 0.0f);
   const Real d1 = p[1].inverse - p[0].inverse, d2 = p[2].inverse - p[0].inverse;
   const Real acrossDepth =
       (d1 * (p[2].y - p[0].y) - d2 * (p[1].y - p[0].y)) * perArea;

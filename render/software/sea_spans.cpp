@@ -49,7 +49,7 @@ HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   // asinh by its logarithm, odd.
   const Real s = (along - g.back) * g.perScale, size = abs(s);
   const Real root = sqrt(size * size + 1.0f);
-  const Real half = log2(size + root) * Real(0.69314718f);
+  const Real half = exactLog2(size + root) * Real(0.69314718f);
   const Real logarithm = choose(s < 0.0f, -half, half);
   const Real share = v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
   const float columns = in.size.x - 1.0f, rows = in.size.y - 1.0f;
@@ -115,7 +115,7 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
       hn::Store(hn::Set(f, 1.0f), f, span.axial + i);
       continue;
     }
-    const Real axial = choose(water, Real(1.0f) / inverse, 1.0f);
+    const Real axial = choose(water, exactQuotient(1.0f, inverse), 1.0f);
     const Real index = hn::Iota(f, static_cast<float>(i));
     const Real3 ray = Real3(span.firstRay) + Real3(span.rayStep) * index;
     const Real3 relative = ray * axial;

@@ -161,7 +161,8 @@ int main(int argc, char** argv) {
                                      measure(state, setup, variant);
                                    })
           ->Unit(benchmark::kMillisecond)
-          ->UseRealTime();
+          ->UseRealTime()
+          ->MeasureProcessCPUTime();
     }
   }
   Medians medians;
