@@ -154,7 +154,7 @@ void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   validate(view.camera);
   context_.makeCurrent();
   prepareTargets(view.camera);
-  prepare(frame, view.camera.size);
+  prepare(frame, view.camera.size, view.wantsNormals);
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();
