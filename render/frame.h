@@ -33,6 +33,7 @@ struct FrameStats {
   std::string backend;                                   ///< such as "osmesa"
   std::string renderer;                                  ///< GL_RENDERER of the context
   std::vector<std::pair<std::string, double>> passesMs;  ///< wall ms, in order, GL finished
+  std::vector<std::pair<std::string, double>> gpuMs;     ///< by timer queries, on hardware alone
   std::size_t vertices = 0;                              ///< water vertices processed
   double vertexEfficiency = 0.0;  ///< of those, the part inside the camera's frustum
   std::size_t boundRedraws = 0;   ///< frames drawn again because a height passed the bounds

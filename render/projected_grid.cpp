@@ -2,7 +2,9 @@
 #include <optional>
 
 #include "render/edge_smoothing.h"
+#include "render/gl/compute_shading.h"
 #include "render/gl/frame_targets.h"
+#include "render/gl/gpu_clock.h"
 #include "render/gl/object_pass.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
@@ -24,7 +26,7 @@ double millisecondsSince(Clock::time_point start) {
 class ProjectedGridTechnique final : public RenderTechnique {
  public:
   ProjectedGridTechnique(HeadlessContext& context, const ProjectedGridOptions& options)
-      : context_(context), options_(options) {
+      : context_(context), options_(options), gpuClock_(!context.isSoftware()) {
     validate(options_);
   }
   ~ProjectedGridTechnique() override { context_.makeCurrent(); }  // for the names it deletes
@@ -38,8 +40,10 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void timed(const View& view, FrameStats& stats, const char* name, std::optional<Effect> effect,
              Pass pass) {
     const Clock::time_point start = Clock::now();
+    gpuClock_.start(name);
     pass();
-    glFinish();
+    gpuClock_.stop();
+    if (options_.readBack) glFinish();
     const double milliseconds = millisecondsSince(start);
     stats.passesMs.emplace_back(name, milliseconds);
     if (effect) view.effects->charge(*effect, 1e3 * milliseconds);
@@ -47,7 +51,12 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void prepareTargets(const Camera& camera);
   Shown drawGeometry(const View& view, FrameStats& stats);
   void shade(const View& view, const Shown& shown, FrameStats& stats);
+  void read(const View& view, Frame& frame);
   void holdMemory(EffectLedger& effects) const;
+  /// Hardware shades in compute: see ComputeShading.
+  bool shadesInCompute() const {
+    return !context_.isSoftware() || options_.variant == GridVariant::marched;
+  }
 
   HeadlessContext& context_;
   ProjectedGridOptions options_;
@@ -57,6 +66,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::optional<ObjectPass> objects_;
   std::optional<SkyDome> sky_;
   std::optional<ShadingPass> shading_;
+  std::optional<ComputeShading> computeShading_;
+  GpuClock gpuClock_;
 };
 
 void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
@@ -130,9 +141,15 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   input.waterIsOn = shown.water;
   input.objectsAreOn = shown.objects;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
-  const auto payer = shown.water    ? std::optional(Effect::water)
-                     : lighting.sky ? std::optional(Effect::sky)
-                                    : std::nullopt;
+  std::optional<Effect> payer;
+  if (shown.water || lighting.sky) payer = shown.water ? Effect::water : Effect::sky;
+  if (shadesInCompute()) {
+    timed(view, stats, "shading", payer, [&] {
+      if (!computeShading_) computeShading_.emplace();
+      computeShading_->shade(*targets_, input);
+    });
+    return;
+  }
   timed(view, stats, "shading", payer, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);
@@ -141,30 +158,43 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
 }
 
 void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
-  const std::size_t water =
-      (sea_ ? sea_->memoryBytes() : 0) + (shading_ ? shading_->waterMemoryBytes() : 0);
+  std::size_t water = sea_ ? sea_->memoryBytes() : 0, sky = sky_ ? sky_->memoryBytes() : 0;
+  const auto addTextures = [&](const auto& shading) {
+    if (!shading) return;
+    water += shading->waterMemoryBytes();
+    sky += shading->skyMemoryBytes();
+  };
+  addTextures(shading_);
+  addTextures(computeShading_);
   if (water > 0) effects.holdMemory(Effect::water, water);
-  if (sky_) {
-    effects.holdMemory(Effect::sky, sky_->memoryBytes() + (shading_ ? shading_->skyMemoryBytes() : 0));
-  }
+  if (sky > 0) effects.holdMemory(Effect::sky, sky);
   if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
+}
+
+void ProjectedGridTechnique::read(const View& view, Frame& frame) {
+  if (!options_.readBack) {
+    glFinish();
+    return;
+  }
+  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
+  timed(view, frame.stats, "smoothing", std::nullopt,
+        [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }
 
 void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   validate(view.camera);
   context_.makeCurrent();
   prepareTargets(view.camera);
-  prepare(frame, view.camera.size, view.wantsNormals);
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.wantsNormals);
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();
   frame.stats.renderer = context_.renderer();
   const Shown shown = drawGeometry(view, frame.stats);
   shade(view, shown, frame.stats);
-  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
-  timed(view, frame.stats, "smoothing", std::nullopt,
-        [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
+  read(view, frame);
   holdMemory(*view.effects);
+  frame.stats.gpuMs = gpuClock_.collect();
   checkGl("projected grid");
 }
 
@@ -174,6 +204,12 @@ std::string_view gridVariantName(GridVariant variant) {
   switch (variant) {
     case GridVariant::cpuVertices:
       return "cpu_vertices";
+    case GridVariant::gpu:
+      return "gpu";
+    case GridVariant::cpuVerticesGpuNormals:
+      return "cpu_vertices_gpu_normals";
+    case GridVariant::marched:
+      return "marched";
     case GridVariant::software:
       return "software";
   }

@@ -72,8 +72,12 @@ class RenderTechnique {
 
 /// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
 enum class GridVariant {
-  cpuVertices,  ///< heights and vertices by the processor, mesh through GL
-  software,     ///< raster and shading by the processor too: no GL at all
+  cpuVertices,            ///< heights and vertices by the processor, mesh through GL
+  gpu,                    ///< heights by the graphics card, vertices displaced by texture fetch
+  cpuVerticesGpuNormals,  ///< an eighth of the vertices each way by the processor, slopes at all
+                          ///< points of the grid by the graphics card
+  marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
+  software,               ///< raster and shading by the processor too: no GL at all
 };
 /// Name as on the command line: "cpu_vertices", "software".
 std::string_view gridVariantName(GridVariant variant);
@@ -83,6 +87,9 @@ struct ProjectedGridOptions {
   glm::ivec2 grid{256, 256};        ///< vertices across, vertices along; ≥ 2 each
   double projectorElevation = 1.0;  ///< least height of the projector above the highest wave, m
   GridVariant variant = GridVariant::cpuVertices;
+  /// False: the picture stays on the graphics card, the frame carries statistics alone, and passes
+  /// are not waited for.
+  bool readBack = true;
 };
 
 /// Johanson's projected grid (2004) without OpenGL: `options.variant` is not looked at. The fastest

@@ -31,10 +31,7 @@ void CpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativ
   vertices_.put(std::span(mesh_.vertices()));
   indices_.put(std::span(mesh_.indices()));
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
-  glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, stencilWater, 0xFF);
-  // From above, a back side that shows is a crest's rim within a pixel, not the underside.
-  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, cameraIsUnderWater ? stencilUnderside : stencilWater,
-                        0xFF);
+  setWaterStencil(cameraIsUnderWater);
   glUseProgram(program_);
   glBindVertexArray(array_);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.indices().size()), GL_UNSIGNED_INT,

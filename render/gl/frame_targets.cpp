@@ -20,6 +20,16 @@ FrameTargets::FrameTargets(glm::ivec2 imageSize)
       shading(makeFramebuffer({radiance}, depth)),
       toneMapping(makeFramebuffer({display})) {}
 
+GLuint FrameTargets::displayBytes() {
+  if (displayBytes_ == 0) {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    displayBytes_ = GlTexture(name);
+    glTextureView(name, GL_TEXTURE_2D, display, GL_RGBA8, 0, 1, 0, 1);
+  }
+  return displayBytes_;
+}
+
 std::size_t FrameTargets::memoryBytes() const {
   return static_cast<std::size_t>(size.x) * size.y * (8 + 4 + 4 + 8 + 8 + 4);
 }

@@ -40,6 +40,10 @@ class SeaGeometryPass {
   virtual std::size_t memoryBytes() const = 0;
 };
 
+/// Stencil of the sea's front and back sides. Seen from above, a back side that shows is a crest's
+/// rim within a pixel, not the underside.
+void setWaterStencil(bool cameraIsUnderWater);
+
 /// The stage for a variant that draws through GL. Throws InputError where the current context
 /// cannot run it.
 std::unique_ptr<SeaGeometryPass> makeSeaGeometryPass(GridVariant variant);

@@ -52,9 +52,10 @@ void writeJson(const std::vector<EffectReport>& effects, std::ostream& out) {
   out << nlohmann::ordered_json{{"effects", std::move(list)}}.dump(2) << '\n';
 }
 
-void drawAll(const Scene& scene, const Simulation& simulation, EffectLedger& ledger) {
+void drawAll(const Scene& scene, const Simulation& simulation, const std::string& backend,
+             EffectLedger& ledger) {
   if (scene.cameras.empty()) return;
-  const auto context = render::makeHeadlessContext();
+  const auto context = render::makeHeadlessContext(backend);
   const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
   SceneView view(scene);
   for (const SceneCamera& camera : scene.cameras) {
@@ -65,12 +66,13 @@ void drawAll(const Scene& scene, const Simulation& simulation, EffectLedger& led
 }  // namespace
 
 int runExplain(const ExplainOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
   const Sea sea = buildSea(scene);
   Simulation simulation = Simulation::replayed(scene, sea, time);
   EffectLedger ledger(scene.effects);
-  drawAll(scene, simulation, ledger);
+  drawAll(scene, simulation, options.backend, ledger);
   simulation.step(&ledger);
   (options.json ? writeJson : writeTable)(ledger.report(), out);
   return 0;
@@ -81,6 +83,7 @@ void addExplainCommand(CLI::App& app, ChosenCommand& chosen) {
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
   command->add_option("--time", options->time, "seconds since the scene's epoch (default 0)");
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway explain configs/scenes/canaveral.yaml --time 5");
   command->callback([=, &chosen] { chosen = [=] { return runExplain(*options, std::cout); }; });

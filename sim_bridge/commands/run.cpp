@@ -41,10 +41,11 @@ Scene sceneFor(const RunOptions& options) {
 /// Draws what a scene's cameras see. Without cameras or frames no context is made.
 class Cameras {
  public:
-  Cameras(const Scene& scene, const RunFolder& folder, RunSummary& summary)
+  Cameras(const Scene& scene, const std::string& backend, const RunFolder& folder,
+          RunSummary& summary)
       : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
     if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
-    context_ = render::makeHeadlessContext();
+    context_ = render::makeHeadlessContext(backend);
     technique_ = render::makeProjectedGrid(*context_, {.grid = scene.accuracy.grid});
   }
 
@@ -89,11 +90,12 @@ void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& su
   summary.timingsMs["motion"] += watch.milliseconds();
 }
 
-void sailAndDraw(const Scene& scene, const Sea& sea, const RunFolder& folder, RunSummary& summary) {
+void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
+                 const RunFolder& folder, RunSummary& summary) {
   Telemetry telemetry(folder.path(), scene);
   Simulation simulation(scene, sea);
   telemetry.write(simulation);
-  Cameras cameras(scene, folder, summary);
+  Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("frames", static_cast<std::size_t>(frames));
   for (long long frame = 0; frame < frames; ++frame) {
@@ -124,6 +126,7 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
 }  // namespace
 
 int runRun(const RunOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = sceneFor(options);
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
                          scene);
@@ -132,7 +135,7 @@ int runRun(const RunOptions& options, std::ostream& out) {
   const Sea sea = buildSea(scene);
   summary.timingsMs["sea"] = watch.milliseconds();
   summary.hm0Asked = sea.hm0Asked;
-  sailAndDraw(scene, sea, folder, summary);
+  sailAndDraw(scene, options.backend, sea, folder, summary);
   summary.wallSeconds = watch.milliseconds() / 1000.0;
   summary.timingsMs["total"] = watch.milliseconds();
   summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
@@ -169,6 +172,7 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");
