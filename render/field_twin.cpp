@@ -5,8 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/band_limit.h"
-#include "render/sea_grid.h"
+#include "render/grid_layout.h"
 #include "surface/constants.h"
 #include "surface/input_error.h"
 
@@ -83,19 +82,13 @@ glm::vec2 TwinRow::point(int column) const {
 }
 
 std::vector<TwinRow> twinRows(const Projector& projector, const WaveField& waves, glm::ivec2 size) {
-  const BandLimit bandLimit(waves);
-  const std::vector<double> v = projector.rows(size.y);
-  std::vector<TwinRow> rows(static_cast<std::size_t>(size.y));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const glm::dvec2 start = projector.basePoint(0.0, v[i]), end = projector.basePoint(1.0, v[i]);
-    const BandLimit::Plan plan =
-        bandLimit.planFor(gridSpacing(projector, v, static_cast<int>(i), size.x));
-    rows[i] = {glm::vec2(start),
-               glm::vec2((end - start) / static_cast<double>(size.x - 1)),
-               static_cast<float>(plan.keptWavelength),
-               static_cast<float>(plan.fadingWavelength),
-               static_cast<float>(plan.weight),
-               static_cast<float>(plan.missingSlope)};
+  const GridLayout layout = projectedLayout(projector, waves, size);
+  std::vector<TwinRow> rows;
+  rows.reserve(layout.rows.size());
+  for (const auto& [start, step, plan] : layout.rows) {
+    rows.push_back({glm::vec2(start), glm::vec2(step), static_cast<float>(plan.keptWavelength),
+                    static_cast<float>(plan.fadingWavelength), static_cast<float>(plan.weight),
+                    static_cast<float>(plan.missingSlope)});
   }
   return rows;
 }

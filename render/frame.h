@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,10 +44,12 @@ struct Frame {
   ColourImage colour;
   DepthImage depth;
   std::vector<PixelClass> classes;  ///< one a pixel
+  /// Unit normals in the sea plane's axes, of water upwards, of sky 0; empty unless asked for.
+  std::vector<glm::vec3> normals;
   FrameStats stats;
 };
 
 /// Makes room for a picture of `size` pixels and forgets the last frame's statistics; memory is kept.
-void prepare(Frame& frame, glm::ivec2 size);
+void prepare(Frame& frame, glm::ivec2 size, bool withNormals);
 
 }  // namespace seaway::render

@@ -185,7 +185,7 @@ void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   validate(view.camera);
   context_.makeCurrent();
   prepareTargets(view.camera);
-  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0));
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.wantsNormals);
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();

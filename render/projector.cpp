@@ -178,21 +178,21 @@ Projector::GridFromPlane Projector::gridFromPlane() const {
   const double first = logarithm(0.0), last = logarithm(1.0);
   const glm::dvec2 per = 1.0 / (range_.most - range_.least);
   GridFromPlane g;
-  g.foot = glm::vec2(position_);
-  g.azimuth = glm::vec2(azimuth_);
-  g.cosine = static_cast<float>(c);
-  g.sine = static_cast<float>(s);
-  g.heightSine = static_cast<float>(position_.z * s);
-  g.heightCosine = static_cast<float>(position_.z * c);
-  g.leastX = static_cast<float>(range_.least.x);
-  g.leastY = static_cast<float>(range_.least.y);
-  g.perX = static_cast<float>(per.x);
-  g.perY = static_cast<float>(per.y);
-  g.back = static_cast<float>(glm::length(glm::dvec2(position_)));
-  g.perScale = static_cast<float>(1.0 / rowScale_);
-  g.first = static_cast<float>(first);
-  g.perLog = static_cast<float>(last > first ? 1.0 / (last - first) : 0.0);
-  g.logarithmic = last > first ? static_cast<float>(logarithmicRows_) : 0.0f;
+  g.foot = glm::dvec2(position_);
+  g.azimuth = glm::dvec2(azimuth_);
+  g.cosine = c;
+  g.sine = s;
+  g.heightSine = (position_.z * s);
+  g.heightCosine = (position_.z * c);
+  g.leastX = range_.least.x;
+  g.leastY = range_.least.y;
+  g.perX = per.x;
+  g.perY = per.y;
+  g.back = glm::length(glm::dvec2(position_));
+  g.perScale = 1.0 / rowScale_;
+  g.first = first;
+  g.perLog = last > first ? 1.0 / (last - first) : 0.0;
+  g.logarithmic = last > first ? (logarithmicRows_) : 0.0;
   return g;
 }
 

@@ -51,10 +51,10 @@ class Projector {
   ///   row/(rows − 1) = v·(1 − logarithmic) + logarithmic·(asinh((along − back)/scale) − first)·perLog
   /// It inverts basePoint and rows.
   struct GridFromPlane {
-    glm::vec2 foot{0.0f}, azimuth{1.0f, 0.0f};
-    float cosine = 1.0f, sine = 0.0f, heightSine = 0.0f, heightCosine = 0.0f;
-    float leastX = 0.0f, perX = 1.0f, leastY = 0.0f, perY = 1.0f;
-    float back = 0.0f, perScale = 1.0f, first = 0.0f, perLog = 1.0f, logarithmic = 0.0f;
+    glm::dvec2 foot{0.0}, azimuth{1.0, 0.0};
+    double cosine = 1.0, sine = 0.0, heightSine = 0.0, heightCosine = 0.0;
+    double leastX = 0.0, perX = 1.0, leastY = 0.0, perY = 1.0;
+    double back = 0.0, perScale = 1.0, first = 0.0, perLog = 1.0, logarithmic = 0.0;
   };
   GridFromPlane gridFromPlane() const;
 

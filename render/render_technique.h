@@ -49,6 +49,7 @@ struct View {
   Light light;
   std::span<const SceneObject> objects;
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
+  bool wantsNormals = false;        ///< fill Frame::normals
 };
 
 /// One way to draw the sea and what floats on it.
@@ -95,6 +96,22 @@ struct ProjectedGridOptions {
 /// where the only OpenGL is software. Threads of TBB's pool share the work; the picture does not
 /// depend on how many there are.
 std::unique_ptr<RenderTechnique> makeSoftwareGrid(const ProjectedGridOptions& options = {});
+
+/// How the naive grid lies around the camera.
+struct NaiveGridOptions {
+  glm::ivec2 grid{256, 256};  ///< vertices eastwards and northwards; ≥ 2 each
+  double side = 2000.0;       ///< m: beyond half of it there is no sea
+};
+
+/// An even grid of the sea plane around the camera's foot, drawn as the software projected grid is.
+/// Kept to show why not: what is near is coarse, what is far is missing, most is out of view.
+std::unique_ptr<RenderTechnique> makeNaiveGrid(const NaiveGridOptions& options = {});
+
+/// A ray through each pixel's centre against the same sea, curved like it: the truth that other
+/// techniques' pictures and depths are compared with. Slow. `options.grid` says for which grid: the
+/// waves that its rows cannot carry are left out here too (reference/band_limited_sea.h, which
+/// states tolerances). Shaded by the same text.
+std::unique_ptr<RenderTechnique> makeReference(const ProjectedGridOptions& options = {});
 
 /// Johanson's projected grid (2004), drawn through the context.
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "surface/curvature.h"
@@ -29,36 +28,21 @@ struct Waves {
 
 }  // namespace
 
-double gridSpacing(const Projector& projector, const std::vector<double>& rows, int row,
-                   int columns) {
-  const int neighbour = row + 1 < static_cast<int>(rows.size()) ? row + 1 : row - 1;
-  const glm::dvec2 here = projector.basePoint(0.5, rows[row]);
-  const glm::dvec2 beside = projector.basePoint(0.5 + 1.0 / (columns - 1), rows[row]);
-  const glm::dvec2 beyond = projector.basePoint(0.5, rows[neighbour]);
-  return std::max({glm::distance(here, beside), glm::distance(here, beyond), 1e-9});
-}
-
-void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const Projector& projector,
-                   glm::ivec2 size) {
-  size_ = size;
+void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout) {
+  size_ = layout.size;
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
-  missingSlope_.resize(size.y);
-  rowLargest_.resize(size.y);
-  const BandLimit bandLimit(water.waves().field());
-  rows_ = projector.rows(size.y);
-  tbb::parallel_for(0, size.y, [&](int row) {
-    rowLargest_[row] = fillRow(water, camera, projector, bandLimit, row);
+  missingSlope_.resize(size_.y);
+  rowLargest_.resize(size_.y);
+  tbb::parallel_for(0, size_.y, [&](int row) {
+    rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
   });
   largestHeight_ = *std::max_element(rowLargest_.begin(), rowLargest_.end());
 }
 
 double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
-                        const Projector& projector, const BandLimit& bandLimit, int row) {
-  const BandLimit::Plan plan = bandLimit.planFor(gridSpacing(projector, rows_, row, size_.x));
+                        const GridLayout::Row& layout, int row) {
+  const auto& [start, step, plan] = layout;
   missingSlope_[row] = static_cast<float>(plan.missingSlope);
-  // All points of a row have the same homogeneous coordinate: they lie evenly between its ends.
-  const glm::dvec2 start = projector.basePoint(0.0, rows_[row]);
-  const glm::dvec2 step = (projector.basePoint(1.0, rows_[row]) - start) / (size_.x - 1.0);
   const bool fades = plan.weight > 0.0;
   const auto weight = static_cast<float>(plan.weight);
   std::array<double, chunk> x, y;
@@ -86,7 +70,7 @@ double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
       }
       // Where the field has no answer the sea is drawn still: a hole would look like sky.
       if (!std::isfinite(height)) height = slopeX = slopeY = 0.0f;
-      const glm::dvec2 base = start + step * (first + i + 0.0);
+      const glm::dvec2 base = start + step * static_cast<double>(first + i);
       largest = std::max(largest, static_cast<double>(std::abs(height)));
       x_[at + i] = static_cast<float>(base.x);
       y_[at + i] = static_cast<float>(base.y);
@@ -124,7 +108,7 @@ std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
           slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
              sizeof(float) +
-         (rows_.capacity() + rowLargest_.capacity()) * sizeof(double);
+         rowLargest_.capacity() * sizeof(double);
 }
 
 }  // namespace seaway::render

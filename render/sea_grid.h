@@ -4,25 +4,18 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "render/band_limit.h"
 #include "render/camera.h"
-#include "render/projector.h"
+#include "render/grid_layout.h"
 #include "surface/water_surface.h"
 
 namespace seaway::render {
 
-/// Largest distance in m between neighbours at a row of a grid of `columns` over a projector's range:
-/// along it, and to the next row (or the one before the last). `rows` as Projector::rows gives them.
-double gridSpacing(const Projector& projector, const std::vector<double>& rows, int row,
-                   int columns);
-
-/// The projected grid's vertices: places, heights and slopes, one array each, row by row from the
+/// A grid's vertices: places, heights and slopes, one array each, row by row from the
 /// nearest. All that the grid cannot carry is left out as BandLimit says, by the row.
 class SeaGrid {
  public:
   /// Fills the grid from `water`; rows are shared among threads, memory is reused between calls.
-  void fill(const SurfaceAtTime& water, const Camera& camera, const Projector& projector,
-            glm::ivec2 size);
+  void fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout);
 
   glm::ivec2 size() const { return size_; }
   std::size_t vertexCount() const { return static_cast<std::size_t>(size_.x) * size_.y; }
@@ -46,12 +39,11 @@ class SeaGrid {
   std::size_t memoryBytes() const;
 
  private:
-  double fillRow(const SurfaceAtTime& water, const Camera& camera, const Projector& projector,
-                 const BandLimit& bandLimit, int row);
+  double fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
+                 int row);
 
   glm::ivec2 size_{0};
   std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_;
-  std::vector<double> rows_;  // v of each row
   std::vector<double> rowLargest_;
   double largestHeight_ = 0.0;
 };

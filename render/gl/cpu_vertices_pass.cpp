@@ -19,7 +19,8 @@ std::string_view CpuVerticesPass::variant() const {
 
 SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector,
                                     glm::ivec2 size) {
-  grid_.fill(view.water->at(view.time), view.camera, projector, size);
+  grid_.fill(view.water->at(view.time), view.camera,
+             projectedLayout(projector, view.water->waves(), size));
   mesh_.fill(grid_, view.camera);
   return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};
 }

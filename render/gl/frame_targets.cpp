@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 
@@ -33,6 +34,27 @@ std::size_t FrameTargets::memoryBytes() const {
   return static_cast<std::size_t>(size.x) * size.y * (8 + 4 + 4 + 8 + 8 + 4);
 }
 
+namespace {
+
+void readNormals(const FrameTargets& targets, Frame& frame) {
+  const glm::ivec2 size = targets.size;
+  std::vector<glm::vec4> surface(frame.normals.size());  // bottom row first
+  glGetTextureImage(targets.surface, 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(surface.size() * sizeof(glm::vec4)), surface.data());
+  for (int y = 0; y < size.y; ++y) {
+    const glm::vec4* from = surface.data() + static_cast<std::size_t>(size.y - 1 - y) * size.x;
+    for (int x = 0; x < size.x; ++x) {
+      const std::size_t to = static_cast<std::size_t>(y) * size.x + x;
+      frame.normals[to] = frame.classes[to] == PixelClass::water
+                              ? glm::normalize(glm::vec3(-from[x].x, -from[x].y, 1.0f))
+                          : frame.classes[to] == PixelClass::object ? glm::vec3(from[x])
+                                                                    : glm::vec3(0.0f);
+    }
+  }
+}
+
+}  // namespace
+
 void readBack(const FrameTargets& targets, Frame& frame) {
   const glm::ivec2 size = targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
@@ -58,6 +80,7 @@ void readBack(const FrameTargets& targets, Frame& frame) {
                                                 : PixelClass::object;
     }
   }
+  if (!frame.normals.empty()) readNormals(targets, frame);
 }
 
 }  // namespace seaway::render

@@ -17,7 +17,8 @@ std::string_view GpuNormalsPass::variant() const {
 
 SeaPlacement GpuNormalsPass::place(const View& view, const Projector& projector, glm::ivec2 size) {
   vertexCount_ = size / 8 + 1;
-  grid_.fill(view.water->at(view.time), view.camera, projector, vertexCount_);
+  grid_.fill(view.water->at(view.time), view.camera,
+             projectedLayout(projector, view.water->waves(), vertexCount_));
   mesh_.fill(grid_, view.camera);
   waves_.fill(view, projector, size);
   return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};

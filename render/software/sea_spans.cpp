@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "surface/constants.h"
 
@@ -40,6 +41,7 @@ struct GridPlace {
 
 HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   const Projector::GridFromPlane& g = in.grid;
+  // Doubles become floats as they meet vectors: places lie near enough to the camera.
   const Real offX = relative.x - g.foot.x, offY = relative.y - g.foot.y;
   const Real along = offX * g.azimuth.x + offY * g.azimuth.y;
   const Real across = offX * g.azimuth.y - offY * g.azimuth.x;
@@ -54,9 +56,9 @@ HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   const Real share = v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
   const float columns = in.size.x - 1.0f, rows = in.size.y - 1.0f;
   // dv/d along = (height/axial)²-like: sine·axial − cosine·(along·sine − heightCosine), a constant.
-  const float turn = g.heightSine * g.sine + g.heightCosine * g.cosine;
+  const double turn = g.heightSine * g.sine + g.heightCosine * g.cosine;
   const Real slope = perAxial * perAxial * (turn * g.perY * (1.0f - g.logarithmic)) +
-                     Real(g.perScale * g.perLog * g.logarithmic) / root;
+                     Real(static_cast<float>(g.perScale * g.perLog * g.logarithmic)) / root;
   return {(across * perAxial - g.leastX) * (g.perX * columns), share * rows,
           perAxial * (g.perX * columns), slope * rows};
 }
@@ -151,8 +153,8 @@ namespace seaway::render {
 
 HWY_EXPORT(FillSpan);
 
-void SeaSlopes::fill(const SeaGrid& grid, const Projector& projector) {
-  gridFromPlane_ = projector.gridFromPlane();
+void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
+  gridFromPlane_ = layout.fromPlane;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
   packed_.resize(grid.vertexCount());
@@ -168,10 +170,17 @@ void SeaSlopes::fill(const SeaGrid& grid, const Projector& projector) {
   });
 }
 
-void SeaSlopes::fillSpan(const float* inverse, float cameraHeight, float pixelAngle,
-                         bool cameraIsUnderWater, PixelSpan& span) const {
-  const SpanInput input{inverse, packed_.data(), missing_, size_, gridFromPlane_,
-                        cameraHeight, pixelAngle, cameraIsUnderWater};
+void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
+                         PixelSpan& span) const {
+  const double pixelAngle = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
+  const SpanInput input{inverse,
+                        packed_.data(),
+                        missing_,
+                        size_,
+                        gridFromPlane_,
+                        static_cast<float>(camera.position.z),
+                        static_cast<float>(pixelAngle),
+                        cameraIsUnderWater};
   HWY_DYNAMIC_DISPATCH(FillSpan)(input, span);
 }
 

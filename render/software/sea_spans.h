@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/projector.h"
+#include "render/grid_layout.h"
 #include "render/shading/pixel_shader.h"
 #include "render/software/screen_grid.h"
 
@@ -10,14 +10,13 @@ namespace seaway::render {
 /// place lies in the grid.
 class SeaSlopes {
  public:
-  void fill(const SeaGrid& grid, const Projector& projector);
+  void fill(const SeaGrid& grid, const GridLayout& layout);
   std::size_t memoryBytes() const { return packed_.capacity() * sizeof(std::uint32_t); }
 
   /// Fills kinds, distances and slopes of a span from 1/axial distances, for rays set before.
-  /// `cameraHeight` above still water, m. A still surface seen from below is `underside` where
-  /// `cameraIsUnderWater`.
-  void fillSpan(const float* inverse, float cameraHeight, float pixelAngle,
-                bool cameraIsUnderWater, PixelSpan& span) const;
+  /// The surface seen from below is `underside` where `cameraIsUnderWater`, else water too.
+  void fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
+                PixelSpan& span) const;
 
   /// Slopes are kept in steps of 2⁻¹³ up to this.
   static constexpr float steepest = 4.0f;
