@@ -224,6 +224,7 @@ void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameSt
   const auto payer = drawn.water            ? std::optional(Effect::water)
                      : input.skyDome != 0 ? std::optional(Effect::sky)
                                           : std::nullopt;
+  if (input.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
   timed(view, stats, "shading", payer, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);

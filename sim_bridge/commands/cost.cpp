@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "sim_bridge/commands/options.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
@@ -96,10 +97,13 @@ int runCost(const CostOptions& options, std::ostream& out) {
 }
 
 void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
-  auto* command = app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
+  auto* command =
+      app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for cost.json and cost.csv")->required();
+  command->add_option("--out", options->out, "folder for cost.json and cost.csv")
+      ->required()
+      ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway cost configs/scenes/canaveral.yaml --out out/cost --quick");
