@@ -27,7 +27,7 @@ const std::vector<Rule> rules = {
     {"png.h", {"render/png.cpp"}},
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},
-    {"nlohmann/", {"sim_bridge/"}},
+    {"nlohmann/", {"sim_bridge/", "surface/spectra/readers/spotter.cpp"}},
     {"grpc", {"sim_bridge/service/"}},
 };
 
