@@ -82,10 +82,11 @@ void writeJson(const Account& account, std::ostream& out) {
 }
 
 /// Every camera draws twice: the first frame sets up what later ones find there.
-void drawAll(const Scene& scene, const Simulation& simulation, EffectLedger& ledger) {
+void drawAll(const Scene& scene, const Simulation& simulation, const std::string& backend,
+             EffectLedger& ledger) {
   if (scene.cameras.empty()) return;
   requireMemoryForPicture(scene.run.size);
-  const auto context = render::makeHeadlessContext();
+  const auto context = render::makeHeadlessContext(backend);
   const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
   SceneView view(scene);
   Progress progress("frames", 2 * scene.cameras.size());
@@ -102,12 +103,13 @@ void drawAll(const Scene& scene, const Simulation& simulation, EffectLedger& led
 }  // namespace
 
 int runExplain(const ExplainOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
   const Sea sea = buildSea(scene);
   Simulation simulation = replayWithProgress(scene, sea, time);
   EffectLedger ledger(scene.effects);
-  drawAll(scene, simulation, ledger);
+  drawAll(scene, simulation, options.backend, ledger);
   simulation.step();
   simulation.step(&ledger);
   const Account account{ledger.report(), scene.cameras.size()};
@@ -120,6 +122,7 @@ void addExplainCommand(CLI::App& app, ChosenCommand& chosen) {
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
   command->add_option("--time", options->time, "seconds since the scene's epoch >= 0 (default 0)");
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway explain configs/scenes/canaveral.yaml --time 5");
   command->callback([=, &chosen] { chosen = [=] { return runExplain(*options, std::cout); }; });

@@ -1,5 +1,6 @@
 #include "sim_bridge/commands/options.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "sim_bridge/scene/schema.h"
@@ -48,6 +49,12 @@ void overrideModel(Scene& scene, const std::string& model) {
                      "--model has no effect: key 'sea.state' lists the octaves themselves");
   }
   scene.sea.model = model == "group" ? OctaveKind::group : OctaveKind::perlin;
+}
+
+void addBackendOption(CLI::App& command, std::string& backend) {
+  command.add_option("--backend", backend,
+                     "graphics context: osmesa (software), egl, or egl:N for EGL device N")
+      ->capture_default_str();
 }
 
 }  // namespace seaway::bridge

@@ -6,6 +6,10 @@
 
 #include "sim_bridge/scene/scene.h"
 
+namespace CLI {
+class App;
+}
+
 namespace seaway::bridge {
 
 /// "640x480" as pixels. Throws InputError for anything else, and outside [1, 8192].
@@ -25,5 +29,8 @@ std::string mustBeNamed(const std::string& path);
 /// Puts `--model` (group or perlin) in place of the scene's `sea.model`. Throws InputError for any
 /// other word, and where the scene lists its octaves, so that there is nothing to choose.
 void overrideModel(Scene& scene, const std::string& model);
+
+/// Adds `--backend`, the graphics context that draws; see render::makeHeadlessContext.
+void addBackendOption(CLI::App& command, std::string& backend);
 
 }  // namespace seaway::bridge

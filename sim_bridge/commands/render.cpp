@@ -44,6 +44,7 @@ void report(const RenderOptions& options, const SceneCamera& camera, const rende
 }  // namespace
 
 int runRender(const RenderOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
   const SceneCamera& camera = findCamera(scene, options.camera);
@@ -52,7 +53,7 @@ int runRender(const RenderOptions& options, std::ostream& out) {
   requireMemoryForPicture(size);
   const Sea sea = buildSea(scene);
   const Simulation simulation = replayWithProgress(scene, sea, time);
-  const auto context = render::makeHeadlessContext();
+  const auto context = render::makeHeadlessContext(options.backend);
   const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
   SceneView view(scene);
   EffectLedger ledger(scene.effects);
@@ -72,6 +73,7 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--camera", options->camera, "camera's name (default: the scene's first)");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
   command->add_option("--out", options->out, "PNG file to write")->required()->check(mustBeNamed);
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer(
       "Example:\n  seaway render configs/scenes/canaveral.yaml --time 5 --camera chase --out "

@@ -41,10 +41,11 @@ Scene sceneFor(const RunOptions& options) {
 /// Draws what a scene's cameras see. Without cameras or frames no context is made.
 class Cameras {
  public:
-  Cameras(const Scene& scene, const RunFolder& folder, RunSummary& summary)
+  Cameras(const Scene& scene, const std::string& backend, const RunFolder& folder,
+          RunSummary& summary)
       : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
     if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
-    context_ = render::makeHeadlessContext();
+    context_ = render::makeHeadlessContext(backend);
     technique_ = render::makeProjectedGrid(*context_, {.grid = scene.accuracy.grid});
   }
 
@@ -90,11 +91,12 @@ void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& su
   summary.timingsMs["motion"] += watch.milliseconds();
 }
 
-void sailAndDraw(const Scene& scene, const Sea& sea, const RunFolder& folder, RunSummary& summary) {
+void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
+                 const RunFolder& folder, RunSummary& summary) {
   Telemetry telemetry(folder.path(), scene);
   Simulation simulation(scene, sea);
   telemetry.write(simulation);
-  Cameras cameras(scene, folder, summary);
+  Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
   for (long long frame = 0; frame < frames; ++frame) {
@@ -125,6 +127,7 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
 }  // namespace
 
 int runRun(const RunOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = sceneFor(options);
   const long long frames = frameCount(scene);
   if (frames > 0) requireMemoryForPicture(scene.run.size);
@@ -136,7 +139,7 @@ int runRun(const RunOptions& options, std::ostream& out) {
   summary.timingsMs["sea"] = watch.milliseconds();
   summary.hm0Asked = sea.hm0Asked;
   summary.blocked = sea.blocked;
-  sailAndDraw(scene, sea, folder, summary);
+  sailAndDraw(scene, options.backend, sea, folder, summary);
   summary.wallSeconds = watch.milliseconds() / 1000.0;
   summary.timingsMs["total"] = watch.milliseconds();
   summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
@@ -172,6 +175,7 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<double> framesPerSecond;
   std::string size;  ///< WxH
   std::optional<std::int64_t> seed;
+  std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   bool json = false;
 };
 

@@ -27,8 +27,9 @@ const SpectrumRecord& recordAt(const std::vector<SpectrumRecord>& records, const
     }
   }
   if (!nearest || distance > tolerance) {
-    throw InputError("no record within " + std::to_string(static_cast<int>(tolerance / 60)) +
-                     " minutes of " + time);
+    throw InputError(records.empty() ? "--time" : records.front().file, 0,
+                     "--time " + time + ": no record within " +
+                         std::to_string(static_cast<int>(tolerance / 60)) + " minutes");
   }
   return *nearest;
 }
