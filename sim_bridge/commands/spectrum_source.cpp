@@ -44,7 +44,13 @@ FrequencySpectrum family(const std::string& argument, const std::string& name,
 
 const SpectrumRecord& choose(const std::vector<SpectrumRecord>& records, const std::string& file,
                              std::optional<int> record, const std::string& time) {
-  if (!time.empty()) return recordAt(records, time);
+  if (!time.empty()) {
+    try {
+      return recordAt(records, time);
+    } catch (const InputError& fault) {
+      throw InputError(file, 0, std::string("--time ") + time + ": " + fault.what());
+    }
+  }
   const int index = record.value_or(0);
   if (index < 0 || index >= static_cast<int>(records.size())) {
     throw InputError(file, 0,
