@@ -40,8 +40,8 @@ class SeaGeometryPass {
   virtual std::size_t memoryBytes() const = 0;
 };
 
-/// Stencil of the sea's front and back sides. Seen from above, a back side that shows is a crest's
-/// rim within a pixel, not the underside.
+/// Stencil of the sea: a camera sees the side that it is on, whatever side a triangle at a crest's
+/// rim turns to it.
 void setWaterStencil(bool cameraIsUnderWater);
 
 /// The stage for a variant that draws through GL. Throws InputError where the current context

@@ -129,11 +129,8 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
                                 footprint / grazing);
     const Real height =
         relative.z + in.cameraHeight + level * static_cast<float>(0.5 / earthMeanRadius);
-    VU kind = kindOf(ShadedAs::water);
-    if (in.cameraIsUnderWater) {
-      const Mask below = ray.z - ray.x * slope.mean.x - ray.y * slope.mean.y > Real(0.0f);
-      kind = hn::IfThenElse(hn::RebindMask(w, below.m), kindOf(ShadedAs::underside), kind);
-    }
+    // A camera sees the side that it is on: the first hit crosses the surface once.
+    const VU kind = kindOf(in.cameraIsUnderWater ? ShadedAs::underside : ShadedAs::water);
     hn::Store(hn::IfThenElse(hn::RebindMask(w, water.m), kind, kindOf(ShadedAs::sky)), w, kinds);
     hn::Store(axial.v, f, span.axial + i);
     hn::Store(slope.mean.x.v, f, span.slopeX + i);

@@ -14,7 +14,7 @@ class SeaSlopes {
   std::size_t memoryBytes() const { return packed_.capacity() * sizeof(std::uint32_t); }
 
   /// Fills kinds, distances and slopes of a span from 1/axial distances, for rays set before.
-  /// The surface seen from below is `underside` where `cameraIsUnderWater`, else water too.
+  /// The surface is `underside` where `cameraIsUnderWater`, else `water`.
   void fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
                 PixelSpan& span) const;
 

@@ -159,7 +159,7 @@ TEST(WaveMap, TalliesTheLargestHeightAndTheVerticesInView) {
   const std::vector<TwinRow> rows = rowsFor(camera, water, size);
   const auto projector = Projector::aimedAt(camera, water.heightBound());
   SeaGrid grid;
-  grid.fill(water.at(3.0), camera, *projector, size);
+  grid.fill(water.at(3.0), camera, projectedLayout(*projector, water.waves(), size));
   const GlVertexArray noVertices = makeVertexArray();
   glBindVertexArray(noVertices);
   for (const WaveMap::Way way : {WaveMap::Way::fragment, WaveMap::Way::compute}) {

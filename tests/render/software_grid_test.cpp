@@ -147,7 +147,7 @@ TEST(SoftwareGrid, FlatHorizonLiesAtTheDipOfTheSphere) {
       const Frame frame = drawnBy(*technique, still, camera);
       const std::size_t row = 360;  // its centre looks half a pixel below the axis
       const bool water = frame.classes[row * 9 + 4] == PixelClass::water;
-      EXPECT_EQ(water, off < 0.0) << height << " m, " << off;
+      EXPECT_EQ(water, off > 0.0) << height << " m, " << off;
     }
   }
 }
