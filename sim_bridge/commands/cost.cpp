@@ -99,10 +99,13 @@ int runCost(const CostOptions& options, std::ostream& out) {
 }
 
 void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
-  auto* command = app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
+  auto* command =
+      app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for cost.json and cost.csv")->required();
+  command->add_option("--out", options->out, "folder for cost.json and cost.csv")
+      ->required()
+      ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");
   addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");

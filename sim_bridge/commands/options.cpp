@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "sim_bridge/scene/schema.h"
+#include "surface/field/wave_field.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -27,6 +28,15 @@ glm::ivec2 parseSize(const std::string& text) {
 double requireTime(double time) {
   requireInRange("--time", time, Range::within(0.0, 1e9), "s");
   return time;
+}
+
+double requireSeaTime(double time) {
+  requireInRange("--time", time, Range::within(-WaveField::latest, WaveField::latest), "s");
+  return time;
+}
+
+std::string mustBeNamed(const std::string& path) {
+  return path.empty() ? "'' is not allowed; must name a file or folder" : "";
 }
 
 void overrideModel(Scene& scene, const std::string& model) {

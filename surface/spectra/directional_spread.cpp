@@ -1,4 +1,4 @@
-#include "sim_bridge/scene/directional_spread.h"
+#include "surface/spectra/directional_spread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "surface/constants.h"
 
-namespace seaway::bridge {
+namespace seaway {
 
 double spreadQuantile(double exponent, double quantile) {
   if (std::isinf(exponent)) return 0.0;
@@ -36,4 +36,4 @@ double vanDerCorput(unsigned n) {
   return value;
 }
 
-}  // namespace seaway::bridge
+}  // namespace seaway

@@ -1,4 +1,4 @@
-#include "sim_bridge/scene/directional_spread.h"
+#include "surface/spectra/directional_spread.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "surface/constants.h"
 
-namespace seaway::bridge {
+namespace seaway {
 namespace {
 
 TEST(DirectionalSpread, QuantilesHaveTheFirstMomentOfTheSpreadingFunction) {
@@ -42,4 +42,4 @@ TEST(DirectionalSpread, VanDerCorputStartsAtTheMiddleAndFillsTheGaps) {
 }
 
 }  // namespace
-}  // namespace seaway::bridge
+}  // namespace seaway
