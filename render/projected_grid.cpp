@@ -142,7 +142,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   // What is shaded pays: nobody, where neither water nor sky is drawn.
   std::optional<Effect> payer;
   if (shown.water || lighting.sky) payer = shown.water ? Effect::water : Effect::sky;
-  if (input.constants.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
+  if (lighting.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
   if (shadesInCompute()) {
     timed(view, stats, "shading", payer, [&] {
       if (!computeShading_) computeShading_.emplace();
