@@ -133,35 +133,40 @@ std::vector<double> Projector::rows(int count) const {
   const double c = std::cos(depression_), s = std::sin(depression_);
   const double back = glm::length(glm::dvec2(position_));
   const double first = logarithm(0.0), last = logarithm(1.0);
+  const double perRange = 1.0 / (range_.most.y - range_.least.y);
+  struct Place {
+    double v, rate;  // by level
+  };
   const auto placeAt = [&](double level) {  // v where the logarithm is `level`
-    const double distance = back + rowScale_ * std::sinh(level);
-    const double y = (distance * s - position_.z * c) / (distance * c + position_.z * s);
-    return (y - range_.least.y) / (range_.most.y - range_.least.y);
+    const double grown = std::exp(level), shrunk = 1.0 / grown;
+    const double distance = back + rowScale_ * 0.5 * (grown - shrunk);
+    const double axial = distance * c + position_.z * s;
+    const double y = (distance * s - position_.z * c) / axial;
+    return Place{(y - range_.least.y) * perRange,
+                 rowScale_ * 0.5 * (grown + shrunk) * position_.z / (axial * axial) * perRange};
   };
   std::vector<double> result(count);
-  double before = first;
+  double level = first;
   for (int i = 1; i + 1 < count; ++i) {
     const double wanted = static_cast<double>(i) / (count - 1);
-    // Share of rows nearer than a level, less what is wanted; growing: false position inverts it.
-    const auto excess = [&](double level) {
-      return glm::mix(placeAt(level), (level - first) / (last - first), logarithmicRows_) - wanted;
-    };
-    double low = before, high = last, below = excess(low), above = excess(high);
-    for (int step = 0; step < 60 && high - low > 1e-13 * (1.0 + std::abs(high)); ++step) {
-      const double middle = below < 0.0 && above > 0.0 && step % 4 != 3
-                                ? (low * above - high * below) / (above - below)
-                                : 0.5 * (low + high);
-      const double there = excess(middle);
-      if (there == 0.0) {
-        low = high = middle;
-      } else if (there < 0.0) {
-        low = middle, below = there, above *= 0.5;
-      } else {
-        high = middle, above = there, below *= 0.5;
-      }
+    result[i] = wanted;
+    if (!(last > first)) continue;
+    // The share of rows nearer than a level grows with it: Newton's method from the row before,
+    // halving where a step leaves what is left.
+    double low = level, high = last;
+    for (int step = 0; step < 60; ++step) {
+      const Place place = placeAt(level);
+      const double excess =
+          glm::mix(place.v, (level - first) / (last - first), logarithmicRows_) - wanted;
+      (excess < 0.0 ? low : high) = level;
+      const double newton =
+          level - excess / glm::mix(place.rate, 1.0 / (last - first), logarithmicRows_);
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      const double moved = std::abs(next - level);
+      level = next;
+      if (moved < 1e-8 * (1.0 + std::abs(level))) break;  // its square is left
     }
-    before = 0.5 * (low + high);
-    result[i] = last > first ? std::clamp(placeAt(before), 0.0, 1.0) : wanted;
+    result[i] = std::clamp(placeAt(level).v, 0.0, 1.0);
   }
   result.front() = 0.0;
   result.back() = 1.0;

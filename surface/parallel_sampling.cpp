@@ -8,8 +8,8 @@
 namespace seaway {
 namespace {
 
-/// Points a task: some 0.1 ms of work, whole tiles.
-constexpr std::size_t pointsPerTask = 8 * pointsPerTile;
+/// Points a task: some 20 µs of work, whole tiles.
+constexpr std::size_t pointsPerTask = 2 * pointsPerTile;
 
 /// Calls work(first, count) for each chunk of `total` points.
 template <typename Work>

@@ -116,6 +116,12 @@ void GlProgram::link() {
   }
 }
 
+GLint GlProgram::location(const char* name) const {
+  const auto known = locations_.find(std::string_view(name));
+  if (known != locations_.end()) return known->second;
+  return locations_.emplace(name, glGetUniformLocation(name_, name)).first->second;
+}
+
 void GlProgram::set(const char* name, int value) const {
   glProgramUniform1i(name_, location(name), value);
 }

@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <initializer_list>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -89,8 +91,9 @@ class GlProgram {
 
  private:
   void link();
-  GLint location(const char* name) const { return glGetUniformLocation(name_, name); }
+  GLint location(const char* name) const;
   GlName<&releaseProgram> name_;
+  mutable std::map<std::string, GLint, std::less<>> locations_;  // drivers are slow to look up
 };
 
 /// Throws std::runtime_error naming the place if OpenGL recorded an error.

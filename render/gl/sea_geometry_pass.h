@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "render/gl/frame_targets.h"
 #include "render/grid_placement.h"
@@ -36,6 +39,10 @@ class SeaGeometryPass {
   ///   surface from below
   virtual void draw(const FrameTargets& targets, const glm::mat4& clipFromRelativeWorld,
                     bool cameraIsUnderWater) = 0;
+
+  /// Milliseconds that what `place` did since the last call took on the graphics card, by pass;
+  /// empty in software, and where the processor alone places.
+  virtual std::vector<std::pair<std::string, double>> gpuMs() { return {}; }
 
   virtual std::size_t memoryBytes() const = 0;
 };

@@ -109,13 +109,16 @@ struct Hit {
 };
 
 Hit march(Ray ray) {
-  float bound = uintBitsToFloat(largestHeight) * 1.0001 + 1e-5;
+  // Wider by the rounding of heights along the ray, or a thin layer of waves could be stepped over.
+  float end = rowDistance(lastRow);
+  float rounding = 1e-5 + 1e-6 * (abs(eyeHeight) + end * end * curvature);
+  float bound = uintBitsToFloat(largestHeight) * 1.0001 + rounding;
   vec2 span = withinBounds(ray, bound);
   float paceAway = dot(ray.level, away);
   float steepest = 1.05 * uintBitsToFloat(largestSlope) * length(ray.level) + abs(ray.sink) + 1e-9;
   // Past the last row no crest shows; before the first, but for rounding, there is none in view.
   if (paceAway > 0.0) {
-    span.y = min(span.y, rowDistance(lastRow) / paceAway);
+    span.y = min(span.y, end / paceAway);
   } else {
     span.y = min(span.y, (min(rowDistance(0), 0.0) - 0.01) / min(paceAway, -1e-12));
   }

@@ -28,7 +28,7 @@ const std::vector<Rule> rules = {
     {"OpenEXR/", {"render/exr.cpp"}},
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},
-    {"nlohmann/", {"sim_bridge/"}},
+    {"nlohmann/", {"sim_bridge/", "surface/spectra/readers/spotter.cpp"}},
     {"grpc", {"sim_bridge/service/"}},
 };
 
