@@ -125,9 +125,9 @@ SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height) {
   Real tilt = -(slope.x * toViewer.x + slope.y * toViewer.y);
   Real face = clamp(0.2f + 1.6f * tilt, 0.0f, 1.0f) * (1.0f - toViewer.z);
   Real against = max(-(toViewer.x * sunDirection.x + toViewer.y * sunDirection.y), 0.0f);
-  return Real3(deepWater) +
-         crest * crest * (Real3(foamLight) +
-                          face * (Real3(crestSky) + against * against * Real3(crestSun)));
+  Real high = crest * crest;
+  return Real3(deepWater) + high * high * Real3(foamLight) +
+         high * face * (Real3(crestSky) + against * against * Real3(crestSun));
 }
 
 SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real missingSlope,
