@@ -6,8 +6,8 @@
 
 namespace seaway::render {
 
-/// What turns a pixel's distance into slopes: the grid's, packed for one fetch a vertex, and where a
-/// place lies in the grid.
+/// What turns a pixel's distance into slopes: the grid's, packed for one fetch a vertex, and where
+/// a place lies in the grid.
 class SeaSlopes {
  public:
   void fill(const SeaGrid& grid, const GridLayout& layout);
