@@ -20,6 +20,10 @@ enum class SampleStatus : std::uint32_t {
   noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
   aboveSurface = 1u << 4,  ///< the point is in the air: no water motion there, NaN
   belowBed = 1u << 5,      ///< the point is in the sea bed, or the bed has fallen dry: NaN
+  wakeOutOfTime = 1u << 6,  ///< the time is before or after the wakes' snapshot: its nearer end is
+                            ///< given
+  wakePartial = 1u << 7,    ///< some of a wake's waves are missing or too low here: the point lies in
+                            ///< a window's border, or beyond the window of the short waves
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {
