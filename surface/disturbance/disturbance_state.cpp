@@ -134,8 +134,8 @@ void DisturbanceState::addTo(std::span<const glm::dvec2> points, double t,
       sample.slope += slope;
       sample.verticalVelocity += sums[wake::rate] - glm::dot(water_.current, slope);
       if (what != SheetQuantities::orbital) continue;
-      sample.orbitalVelocity += glm::dvec3(sums[wake::velocityX], sums[wake::velocityY],
-                                           sums[wake::rate]);
+      sample.orbitalVelocity +=
+          glm::dvec3(sums[wake::velocityX], sums[wake::velocityY], sums[wake::rate]);
       if (has(tile.status[i], SampleStatus::noKinematics)) {
         sample.orbitalVelocity = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
       }

@@ -27,20 +27,20 @@ struct WakeSheet {
 
 /// One vessel's waves: sheets of different wavelengths, whose heights add up.
 struct VesselWaves {
-  std::uint32_t vessel = 0;        ///< handle, for SampleOptions::excludeVessel
-  std::vector<WakeSheet> sheets;   ///< from the shortest waves to the longest
-  double meanWaveNumber = 0.0;     ///< by energy, rad/m: how fast the motion decays with depth
+  std::uint32_t vessel = 0;       ///< handle, for SampleOptions::excludeVessel
+  std::vector<WakeSheet> sheets;  ///< from the shortest waves to the longest
+  double meanWaveNumber = 0.0;    ///< by energy, rad/m: how fast the motion decays with depth
 };
 
 /// Where the water is in motion for other reasons than the sea state, at times in [start, end].
 ///
-/// Immutable: readers hold it by shared_ptr while the next one is made. Const calls are thread-safe,
-/// allocate nothing and give the same bits for any batch. A time outside the interval is answered
-/// with the nearest end's surface and the status `wakeOutOfTime`.
+/// Immutable: readers hold it by shared_ptr while the next one is made. Const calls are
+/// thread-safe, allocate nothing and give the same bits for any batch. A time outside the interval
+/// is answered with the nearest end's surface and the status `wakeOutOfTime`.
 class DisturbanceState {
  public:
   struct Water {
-    glm::dvec2 current{0.0};  ///< m/s: waves are carried along
+    glm::dvec2 current{0.0};                                 ///< m/s: waves are carried along
     double depth = std::numeric_limits<double>::infinity();  ///< m
   };
   DisturbanceState(std::vector<VesselWaves> wakes, const Water& water);
@@ -68,7 +68,7 @@ class DisturbanceState {
   struct Motion {
     float height = 0.0f, rate = 0.0f;  ///< η, m; ∂η/∂t in the water's frame, m/s
     glm::vec2 slope{0.0f};
-    glm::vec2 velocity{0.0f};          ///< at the surface, m/s
+    glm::vec2 velocity{0.0f};  ///< at the surface, m/s
     bool hasVelocity = false;
   };
   Motion motion(const VesselWaves& wake, glm::dvec2 point, double t) const noexcept;

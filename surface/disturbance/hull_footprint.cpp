@@ -118,7 +118,8 @@ HullFootprint HullFootprint::box(double length, double beam, double draft) {
 HullFootprint HullFootprint::wigley(double length, double beam, double draft, int waterlines) {
   constexpr int stations = 41;  // area of the polygons within 1/1600 of the parabola's
   std::vector<double> x(stations), z(static_cast<std::size_t>(waterlines)), breadths;
-  for (int i = 0; i < stations; ++i) x[i] = length * (static_cast<double>(i) / (stations - 1) - 0.5);
+  for (int i = 0; i < stations; ++i)
+    x[i] = length * (static_cast<double>(i) / (stations - 1) - 0.5);
   for (int j = 0; j < waterlines; ++j) z[j] = -draft * j / (waterlines - 1);
   for (const double height : z) {
     for (const double station : x) {
@@ -166,8 +167,8 @@ std::complex<double> HullFootprint::overDepth(double number, double depth,
     falling += layerIntegral(number, top, bottom, areas[i - 1], areas[i]);
     // The image's layer lies upside down about −2d: its top is the mirror of the bottom.
     if (!deep) {
-      mirrored += layerIntegral(number, -2.0 * depth - bottom, -2.0 * depth - top, areas[i],
-                                areas[i - 1]);
+      mirrored +=
+          layerIntegral(number, -2.0 * depth - bottom, -2.0 * depth - top, areas[i], areas[i - 1]);
     }
   }
   return deep ? falling : (falling + mirrored) / (1.0 + std::exp(-2.0 * number * depth));
@@ -179,7 +180,8 @@ std::complex<double> HullFootprint::spectrum(glm::dvec2 k, double depth) const {
   for (std::size_t i = 0; i < waterlines_.size(); ++i) {
     const auto& outline = waterlines_[i].outline;
     factors.clear();
-    for (const glm::dvec2 point : outline) factors.push_back(std::polar(1.0, -glm::dot(seen, point)));
+    for (const glm::dvec2 point : outline)
+      factors.push_back(std::polar(1.0, -glm::dot(seen, point)));
     areas.push_back(polygonSpectrum(outline, momentsOf(outline), extent_, seen, factors));
   }
   return overDepth(glm::length(k), depth, areas);

@@ -13,16 +13,16 @@ struct Waterline {
   std::vector<glm::dvec2> outline;  ///< closed polygon, body frame, either sense; empty: nothing
 };
 
-/// How a hull presses on the water: the pressure head H(x) = hull depth, as a function of wave number
-/// and with each layer's influence decaying from its depth. A displacement source and this head make
-/// the same waves outside the hull.
+/// How a hull presses on the water: the pressure head H(x) = hull depth, as a function of wave
+/// number and with each layer's influence decaying from its depth. A displacement source and this
+/// head make the same waves outside the hull.
 ///
 /// Body frame: x forward, y to port, z up, metres. Between waterlines the hull is interpolated
 /// linearly in the spectrum; below the last there is none. Immutable; const calls are thread-safe.
 class HullFootprint {
  public:
-  /// Waterlines from the top down, at least two. Throws InputError for fewer, for heights above 0 or
-  /// that do not fall, and for outlines that are not finite.
+  /// Waterlines from the top down, at least two. Throws InputError for fewer, for heights above 0
+  /// or that do not fall, and for outlines that are not finite.
   explicit HullFootprint(std::vector<Waterline> waterlines);
 
   /// A box of draft T: H-hat is Ŵ (1 − e^(−kT))/k in deep water.

@@ -40,9 +40,9 @@ HWY_INLINE void StoreWithin(V value, int at, int end, float* row) {
 HWY_INLINE V Sinc(V x, V sine) {
   const Floats f;
   const V square = hn::Mul(x, x);
-  const V series = hn::MulAdd(
-      square, hn::MulAdd(square, hn::Set(f, 1.0f / 120.0f), hn::Set(f, -1.0f / 6.0f)),
-      hn::Set(f, 1.0f));
+  const V series =
+      hn::MulAdd(square, hn::MulAdd(square, hn::Set(f, 1.0f / 120.0f), hn::Set(f, -1.0f / 6.0f)),
+                 hn::Set(f, 1.0f));
   const auto small = hn::Lt(square, hn::Set(f, 0.01f));
   return hn::IfThenElse(small, series, hn::Div(sine, hn::IfThenElse(small, hn::Set(f, 1.0f), x)));
 }
@@ -80,12 +80,11 @@ void StepRowKernel(const StepRow& row) {
     const Complex drift = Times(Load(row.drift.real + c, row.drift.imaginary + c), rowDrift);
     // x = (ω − k·U) dt/2; sin x is the imaginary part of e^(iω dt/2) e^(−ik·U dt/2).
     const V sine = hn::MulSub(half.re, drift.im, hn::Mul(half.im, drift.re));
-    const V x = hn::Sub(hn::LoadU(f, row.halfTurn + c),
-                        hn::Add(hn::LoadU(f, row.driftTurn + c), rowTurn));
+    const V x =
+        hn::Sub(hn::LoadU(f, row.halfTurn + c), hn::Add(hn::LoadU(f, row.driftTurn + c), rowTurn));
     const V push = hn::Mul(hn::LoadU(f, row.gain + c), Sinc(x, sine));
     const Complex place = Times(Load(row.place.real + c, row.place.imaginary + c), rowPlace);
-    const Complex source =
-        Times(place, Load(row.footprintReal + c, row.footprintImaginary + c));
+    const Complex source = Times(place, Load(row.footprintReal + c, row.footprintImaginary + c));
     Complex z = Times(half, Load(row.real + c, row.imaginary + c));
     z.re = hn::MulAdd(push, source.im, z.re);  // − i · source
     z.im = hn::NegMulAdd(push, source.re, z.im);
@@ -104,8 +103,8 @@ void TurnRowKernel(const TurnRow& row) {
   const auto none = hn::Zero(n), one = hn::Set(n, 1);
   const V middle = hn::Set(f, static_cast<float>(row.alongY));
   for (int c = row.begin; c < row.end; c += lanes) {
-    const V column = hn::Add(hn::ConvertTo(f, hn::Iota(n, 0)),
-                             hn::Set(f, static_cast<float>(c - row.centre)));
+    const V column =
+        hn::Add(hn::ConvertTo(f, hn::Iota(n, 0)), hn::Set(f, static_cast<float>(c - row.centre)));
     V x = hn::MulAdd(column, hn::Set(f, row.xFromColumn), hn::Set(f, row.xOffset));
     V y = hn::MulAdd(column, hn::Set(f, row.yFromColumn), hn::Set(f, row.yOffset));
     // The table holds k_x ≥ 0; the rest is its conjugate.
@@ -116,10 +115,11 @@ void TurnRowKernel(const TurnRow& row) {
     const auto cellY = hn::Min(hn::Max(hn::ConvertTo(n, hn::Floor(y)), none), lastY);
     const auto corner = hn::Add(hn::Mul(cellY, stride), cellX);
     const auto above = hn::Add(corner, stride);
-    const V partX = hn::Sub(x, hn::ConvertTo(f, cellX)), partY = hn::Sub(y, hn::ConvertTo(f, cellY));
-    const Complex value = Mix(
-        Mix(Gather(row.table, corner), Gather(row.table, hn::Add(corner, one)), partX),
-        Mix(Gather(row.table, above), Gather(row.table, hn::Add(above, one)), partX), partY);
+    const V partX = hn::Sub(x, hn::ConvertTo(f, cellX)),
+            partY = hn::Sub(y, hn::ConvertTo(f, cellY));
+    const Complex value =
+        Mix(Mix(Gather(row.table, corner), Gather(row.table, hn::Add(corner, one)), partX),
+            Mix(Gather(row.table, above), Gather(row.table, hn::Add(above, one)), partX), partY);
     StoreWithin(value.re, c, row.end, row.real);
     StoreWithin(hn::IfThenElse(mirrored, hn::Neg(value.im), value.im), c, row.end, row.imaginary);
   }
@@ -161,7 +161,8 @@ void BorderAcrossRowsKernel(const BorderColumns& row) {
         return from ? hn::LoadU(Floats(), from + c) : hn::Zero(Floats());
       };
     };
-    const Complex z{Convolve(row.taps, at(row.realRows)), Convolve(row.taps, at(row.imaginaryRows))};
+    const Complex z{Convolve(row.taps, at(row.realRows)),
+                    Convolve(row.taps, at(row.imaginaryRows))};
     const Complex phase = Times(Load(row.phase.real + c, row.phase.imaginary + c), rowPhase);
     const Complex result = Times(Conjugate(phase), z);
     StoreWithin(result.re, c, row.end, row.real);

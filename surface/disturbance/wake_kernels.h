@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <span>
 
-/// The loops of the wake solver over rows of modes (see ModePlane), in vector instructions chosen at
-/// run time. Real and imaginary parts lie in planes of their own; all rows are padded by 16 floats.
+/// The loops of the wake solver over rows of modes (see ModePlane), in vector instructions chosen
+/// at run time. Real and imaginary parts lie in planes of their own; all rows are padded by 16
+/// floats.
 namespace seaway::wake {
 
 /// A complex number for each column.
@@ -20,9 +21,9 @@ struct StepRow {
   int begin, end;  ///< columns
   const float *cosine, *sine, *halfTurn, *gain;
   const float *footprintReal, *footprintImaginary;
-  Columns place;  ///< e^(−i k_x x), by column
-  Columns drift;  ///< e^(−i k_x U_x dt/2)
-  const float* driftTurn;  ///< k_x U_x dt/2
+  Columns place;                           ///< e^(−i k_x x), by column
+  Columns drift;                           ///< e^(−i k_x U_x dt/2)
+  const float* driftTurn;                  ///< k_x U_x dt/2
   std::complex<float> rowPlace, rowDrift;  ///< the same of k_y
   float rowDriftTurn;
   float *real, *imaginary;  ///< the state, advanced

@@ -29,8 +29,8 @@ Scratch& scratch() {
 
 std::size_t sizeOf(int count) { return static_cast<std::size_t>(count); }
 
-/// From row to row of the columns: off the powers of two, at which rows would crowd the same lines of
-/// the cache.
+/// From row to row of the columns: off the powers of two, at which rows would crowd the same lines
+/// of the cache.
 std::size_t columnStride(const WakeWindowSettings& s) { return sizeOf(s.modes) + 8; }
 
 /// Transforms columns [first, modes) of the spectrum along y, into `columns` (cells rows).

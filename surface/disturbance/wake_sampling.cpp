@@ -86,7 +86,8 @@ HWY_INLINE V4 Weights(V4 t) {
 HWY_INLINE V4 Slopes(V4 t) {
   const Four f;
   const V4 three = hn::Mul(t, hn::Set(f, 3.0f));
-  const V4 w = hn::MulAdd(hn::Load(f, kCubic[3]), three, hn::Add(hn::Load(f, kCubic[2]), hn::Load(f, kCubic[2])));
+  const V4 w = hn::MulAdd(hn::Load(f, kCubic[3]), three,
+                          hn::Add(hn::Load(f, kCubic[2]), hn::Load(f, kCubic[2])));
   return hn::MulAdd(w, t, hn::Load(f, kCubic[1]));
 }
 HWY_INLINE Cells PairWeights(float fraction) {
@@ -192,8 +193,8 @@ HWY_INLINE void AddPoint(const SheetSampling& s, const TimeWeights& time, V4 sca
     const Cells slopesX = PairSlopes(partX);
     const Cells across = Blend(slopeBefore, time.heightBefore, slopeAfter, time.heightAfter);
     const Cells rates = Blend(before, time.rateBefore, after, time.rateAfter);
-    const V4 all = SumsOf(heights, Along(now, slopesX), Along(across, weightsX),
-                          Along(rates, weightsX));
+    const V4 all =
+        SumsOf(heights, Along(now, slopesX), Along(across, weightsX), Along(rates, weightsX));
     hn::StoreU(hn::MulAdd(all, scale, hn::LoadU(f, sums.data())), f, sums.data());
     if constexpr (kWhat == SheetQuantities::orbital) {
       V4 u = Along(Blend(before, time.potentialBefore, after, time.potentialAfter), slopesX);

@@ -11,8 +11,8 @@ namespace seaway::wake {
 using PointSums = std::array<float, 8>;
 enum PointSum : std::size_t { height, slopeX, slopeY, rate, velocityX, velocityY };
 
-/// Two heights maps of one window at two times, ready to be sampled at a time: cubic Hermite between
-/// them, from η and ∂η/∂t, and from φ and ∂φ/∂t = −gη; cubic B-spline in space.
+/// Two heights maps of one window at two times, ready to be sampled at a time: cubic Hermite
+/// between them, from η and ∂η/∂t, and from φ and ∂φ/∂t = −gη; cubic B-spline in space.
 struct SheetSampling {
   const float *surfaceBefore, *surfaceAfter;      ///< WakeGrid::surface
   const float *potentialBefore, *potentialAfter;  ///< WakeGrid::potential; null: no velocity
@@ -20,10 +20,10 @@ struct SheetSampling {
   std::int64_t mask;                              ///< cells − 1
   double perCell;                                 ///< 1/m
   double centreX, centreY, half;                  ///< the window, m: points outside get nothing
-  float heightBefore[2], heightAfter[2];      ///< weights of (η, ∂η/∂t) that make η
-  float rateBefore[2], rateAfter[2];          ///< ∂η/∂t
-  float potentialFromHeight[2];               ///< weights of η before and after in φ
-  float potentialWeights[2];                  ///< of φ
+  float heightBefore[2], heightAfter[2];          ///< weights of (η, ∂η/∂t) that make η
+  float rateBefore[2], rateAfter[2];              ///< ∂η/∂t
+  float potentialFromHeight[2];                   ///< weights of η before and after in φ
+  float potentialWeights[2];                      ///< of φ
 };
 
 /// Hermite weights for `time` between `before` and `after`, s.

@@ -23,9 +23,9 @@ struct WavelengthBand {
 /// modes reach down to a wavelength of `wavelengthLimit()`, which `band.shortNone` must not be
 /// below.
 struct WakeWindowSettings {
-  double cellSize = 0.5;  ///< m, of the height map that is sampled
-  int cells = 512;        ///< along each side
-  int modes = 256;        ///< Fourier modes along each side
+  double cellSize = 0.5;                                   ///< m, of the height map that is sampled
+  int cells = 512;                                         ///< along each side
+  int modes = 256;                                         ///< Fourier modes along each side
   double depth = std::numeric_limits<double>::infinity();  ///< m, > 0
   WavelengthBand band;
   double absorption = 1.0;  ///< rate at which the border takes waves away at the seam, 1/s; 0: none
@@ -38,9 +38,9 @@ struct WakeWindowSettings {
 /// Throws InputError for settings outside the ranges above.
 void check(const WakeWindowSettings& settings);
 
-/// A window's planes of float, one value a mode: row r holds k_y = 2π m/L with m = r for r < modes/2
-/// and r − modes above (the order of the transform), column c holds m = c − modes/2. Rows have 16
-/// zeros before and after them, so that column `modes` exists and vectors may run over.
+/// A window's planes of float, one value a mode: row r holds k_y = 2π m/L with m = r for r <
+/// modes/2 and r − modes above (the order of the transform), column c holds m = c − modes/2. Rows
+/// have 16 zeros before and after them, so that column `modes` exists and vectors may run over.
 struct ModePlane {
   static constexpr std::size_t padding = 16;
 
@@ -60,13 +60,13 @@ struct WakeTables {
 
   WakeWindowSettings settings;
   double dt;
-  ModePlane halfTurn;          ///< ω dt/2
-  ModePlane cosine, sine;      ///< of the half turn
-  ModePlane gain;              ///< W ω dt/L², 1/m²: the step's share of a pressure head's Ĥ
-  ModePlane omega;             ///< rad/s
-  ModePlane gravityOverOmega;  ///< g/ω, m/s; 0 where ω is
-  std::vector<float> prefilter;       ///< of the B-spline along one axis, by column
-  std::vector<int> begin, end;        ///< columns of each row that carry anything
+  ModePlane halfTurn;            ///< ω dt/2
+  ModePlane cosine, sine;        ///< of the half turn
+  ModePlane gain;                ///< W ω dt/L², 1/m²: the step's share of a pressure head's Ĥ
+  ModePlane omega;               ///< rad/s
+  ModePlane gravityOverOmega;    ///< g/ω, m/s; 0 where ω is
+  std::vector<float> prefilter;  ///< of the B-spline along one axis, by column
+  std::vector<int> begin, end;   ///< columns of each row that carry anything
   std::size_t memoryBytes() const;
 };
 

@@ -106,9 +106,9 @@ void WakeWindow::settle(const HullPlace& place) {
   forEachMode([&](int c, int my, std::size_t shared, std::size_t row) {
     // The gain over ω dt is W/L².
     const float turn = tables_->halfTurn.row(shared)[c];
-    const float weight =
-        turn > 0.0f ? static_cast<float>(place.immersion) * tables_->gain.row(shared)[c] / (2.0f * turn)
-                    : 0.0f;
+    const float weight = turn > 0.0f ? static_cast<float>(place.immersion) *
+                                           tables_->gain.row(shared)[c] / (2.0f * turn)
+                                     : 0.0f;
     const std::complex<float> hollow =
         -weight * x.at(c - half) * y.at(my) *
         std::complex<float>(footprintReal_.row(row)[c], footprintImaginary_.row(row)[c]);
@@ -145,8 +145,7 @@ void WakeWindow::step(double dt, const HullPlace& from, const HullPlace& to) {
                      tables_->sine.row(r), tables_->halfTurn.row(r), tables_->gain.row(r),
                      footprintReal_.row(row), footprintImaginary_.row(row), placeX.columns(),
                      driftX.columns(), turnX.data(), placeY.at(my), driftY.at(my),
-                     static_cast<float>(unit * my * drift.y), real_.row(row),
-                     imaginary_.row(row)});
+                     static_cast<float>(unit * my * drift.y), real_.row(row), imaginary_.row(row)});
       if (r == 0) break;
     }
   }
@@ -266,8 +265,6 @@ std::complex<float> WakeWindow::mode(int mx, int my) const {
   return {real_.row(rowOf(my))[c], imaginary_.row(rowOf(my))[c]};
 }
 
-std::size_t WakeWindow::memoryBytes() const {
-  return 4 * real_.values.size() * sizeof(float);
-}
+std::size_t WakeWindow::memoryBytes() const { return 4 * real_.values.size() * sizeof(float); }
 
 }  // namespace seaway

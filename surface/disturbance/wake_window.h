@@ -25,9 +25,9 @@ struct HullPlace {
 ///   Ẑ(t + dt) = e^(−iω dt) Ẑ(t) + F,
 ///   F = −iω dt Ĥ(k) L⁻² e^(−iω dt/2) e^(−ik·x) sinc((ω − k·U) dt/2)
 ///
-/// for a hull that moves straight at U through x within the step; exact for any dt, and no mode ever
-/// gains energy by itself. The grid is fixed in the world modulo its size, so that nothing moves when
-/// the window follows its vessel: only the seam does, where the border absorbs.
+/// for a hull that moves straight at U through x within the step; exact for any dt, and no mode
+/// ever gains energy by itself. The grid is fixed in the world modulo its size, so that nothing
+/// moves when the window follows its vessel: only the seam does, where the border absorbs.
 ///
 /// Float; energy drifts by less than 5e-5 over 10 000 steps, the transverse wavelength of a wake is
 /// within 0.5 % of 2πU²/g (tests/surface/disturbance/wake_window_test.cpp, wake_physics_test.cpp).
@@ -46,8 +46,8 @@ class WakeWindow {
   /// Still water with the hull at rest at `place`.
   void settle(const HullPlace& place);
 
-  /// One step of dt > 0 s, the hull moving straight from `from` to `to`. A dt other than the tables'
-  /// makes tables of its own.
+  /// One step of dt > 0 s, the hull moving straight from `from` to `to`. A dt other than the
+  /// tables' makes tables of its own.
   void step(double dt, const HullPlace& from, const HullPlace& to);
 
   /// Absorbs waves for `seconds` at the border of the window about `centre` (m): the field is
@@ -60,8 +60,8 @@ class WakeWindow {
   /// |Z| at the cells, rows from the south, m: the envelope of waves that all travel to one side.
   std::vector<float> envelope() const;
 
-  /// ∫∫ (|Z + H|²) dx dy, m⁴: twice the waves' energy over ρg, without the hollow under a hull at rest
-  /// at `place`.
+  /// ∫∫ (|Z + H|²) dx dy, m⁴: twice the waves' energy over ρg, without the hollow under a hull at
+  /// rest at `place`.
   double waveEnergy(const HullPlace& place);
 
   /// Σ|Ẑ|², m²: with the hollow.

@@ -13,9 +13,9 @@ namespace seaway {
 /// Errors are below 1e-6 of the largest value for lengths up to 1024
 /// (tests/surface/complex_fft_test.cpp, against the plain sum in double).
 ///
-/// Values lie on boundaries of 64 bytes (AlignedVector): FFTW uses no vector instructions elsewhere.
-/// Construction is serialised within the process; transforms of one object are safe from any number
-/// of threads and allocate nothing in the calling thread after its first transform.
+/// Values lie on boundaries of 64 bytes (AlignedVector): FFTW uses no vector instructions
+/// elsewhere. Construction is serialised within the process; transforms of one object are safe from
+/// any number of threads and allocate nothing in the calling thread after its first transform.
 class ComplexFft {
  public:
   /// Transforms that `inverseTogether` does side by side.

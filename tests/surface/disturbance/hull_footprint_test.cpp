@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "surface/disturbance/footprint_table.h"
 #include "surface/dispersion.h"
+#include "surface/disturbance/footprint_table.h"
 #include "surface/input_error.h"
 
 namespace seaway {
@@ -32,15 +32,18 @@ TEST(HullFootprint, FiniteDepthWeighsLayersByTheirPressure) {
   const double draft = 2.0, depth = 3.0, k = 0.7;
   const HullFootprint box = HullFootprint::box(1.0, 1.0, draft);
   // ∫ cosh k(z + d)/cosh kd dz over the draft.
-  const double layers = (std::sinh(k * depth) - std::sinh(k * (depth - draft))) / (k * std::cosh(k * depth));
+  const double layers =
+      (std::sinh(k * depth) - std::sinh(k * (depth - draft))) / (k * std::cosh(k * depth));
   EXPECT_NEAR(box.spectrum({k, 0.0}, depth).real(), sincOf(k / 2) * layers, 1e-12);
   // A bed far below is no bed.
-  EXPECT_NEAR(std::abs(box.spectrum({k, 0.0}, 1e4) - box.spectrum({k, 0.0}, deepWater)), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(box.spectrum({k, 0.0}, 1e4) - box.spectrum({k, 0.0}, deepWater)), 0.0,
+              1e-12);
 }
 
 TEST(HullFootprint, TheVolumeIsTheSpectrumAtZero) {
   EXPECT_NEAR(HullFootprint::box(12, 3.5, 0.8).volume(), 12 * 3.5 * 0.8, 1e-9);
-  // 4/9 LBT for the parabolas; polygons of 41 stations and lines of 9 waterlines miss 1/1600 + 1/128.
+  // 4/9 LBT for the parabolas; polygons of 41 stations and lines of 9 waterlines miss 1/1600 +
+  // 1/128.
   EXPECT_NEAR(HullFootprint::wigley(12, 3.5, 0.8, 9).volume(), 12 * 3.5 * 0.8 * 4.0 / 9.0,
               0.01 * 12 * 3.5 * 0.8);
   // The series near zero meets the sum over edges.
@@ -88,11 +91,12 @@ TEST(HullFootprint, TheTableIsWithinAThousandthOfTheVolume) {
 }
 
 TEST(HullFootprintHard, RefusesHullsThatCannotBe) {
-  EXPECT_THROW(HullFootprint({{0.0, {}}}), InputError);
-  EXPECT_THROW(HullFootprint({{1.0, {}}, {0.0, {}}}), InputError);
-  EXPECT_THROW(HullFootprint({{-1.0, {}}, {-1.0, {}}}), InputError);
+  using Waterlines = std::vector<Waterline>;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(HullFootprint({{0.0, {{nan, 0.0}}}, {-1.0, {}}}), InputError);
+  EXPECT_THROW(HullFootprint(Waterlines{{0.0, {}}}), InputError);
+  EXPECT_THROW(HullFootprint(Waterlines{{1.0, {}}, {0.0, {}}}), InputError);
+  EXPECT_THROW(HullFootprint(Waterlines{{-1.0, {}}, {-1.0, {}}}), InputError);
+  EXPECT_THROW(HullFootprint(Waterlines{{0.0, {{nan, 0.0}}}, {-1.0, {}}}), InputError);
   const std::vector<double> x{0.0, 1.0}, z{0.0, -1.0}, three{1.0, 1.0, 1.0}, negative{1, 1, -1, 1};
   EXPECT_THROW(HullFootprint::fromHalfBreadths(x, z, three), InputError);
   EXPECT_THROW(HullFootprint::fromHalfBreadths(x, z, negative), InputError);
