@@ -1,5 +1,7 @@
 #include "render/edge_smoothing.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -37,7 +39,7 @@ class Source {
 
  private:
   glm::ivec2 size_;
-  std::vector<std::uint8_t> rgb_;
+  const std::vector<std::uint8_t>& rgb_;
 };
 
 glm::vec3 smoothed(const Source& source, int x, int y) {
@@ -58,28 +60,56 @@ glm::vec3 smoothed(const Source& source, int x, int y) {
   return luma < least || luma > most ? narrow : wide;
 }
 
+/// A smoothed pixel, before it is put into the picture.
+struct Change {
+  std::size_t at;
+  std::uint8_t rgb[3];
+};
+
+/// Marks the inner pixels of row y that lie on an outline: 1.
+void markOutlines(const DepthImage& depth, std::span<const PixelClass> classes, int y,
+                  std::vector<std::uint8_t>& outline) {
+  const int across = depth.size.x;
+  const float* d = depth.metres.data() + static_cast<std::size_t>(y) * across;
+  const auto* c = reinterpret_cast<const std::uint8_t*>(classes.data()) +
+                  static_cast<std::size_t>(y) * across;
+  constexpr auto object = static_cast<std::uint8_t>(PixelClass::object);
+  for (int x = 1; x + 1 < across; ++x) {
+    const std::uint8_t here = c[x];
+    outline[x] = (here == object) | (c[x - 1] != here) | (c[x + 1] != here) |
+                 (c[x - across] != here) | (c[x + across] != here);
+  }
+  for (int x = 1; x + 1 < across; ++x) {
+    const float here = d[x], most = depthStep * here;
+    const float left = d[x - 1], right = d[x + 1], above = d[x - across], below = d[x + across];
+    outline[x] |= (left > most) | (right > most) | (above > most) | (below > most) |
+                  (here > depthStep * left) | (here > depthStep * right) |
+                  (here > depthStep * above) | (here > depthStep * below);
+  }
+}
+
 }  // namespace
 
 void smoothEdges(ColourImage& colour, const DepthImage& depth,
                  std::span<const PixelClass> classes) {
   const glm::ivec2 size = colour.size;
+  if (size.x < 3 || size.y < 3) return;
   const Source source(colour);
-  for (int y = 1; y + 1 < size.y; ++y) {
+  std::vector<std::vector<Change>> changes(size.y);
+  tbb::parallel_for(1, size.y - 1, [&](int y) {
+    std::vector<std::uint8_t> outline(size.x);
+    markOutlines(depth, classes, y, outline);
     for (int x = 1; x + 1 < size.x; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * size.x + x;
-      const std::size_t neighbours[] = {i - 1, i + 1, i - size.x, i + size.x};
-      bool outline = classes[i] == PixelClass::object;
-      for (const std::size_t n : neighbours) {
-        const float nearer = std::min(depth.metres[i], depth.metres[n]);
-        const float farther = std::max(depth.metres[i], depth.metres[n]);
-        outline |= classes[n] != classes[i] || farther > depthStep * nearer;
-      }
-      if (!outline) continue;
-      const glm::vec3 result = smoothed(source, x, y);
-      for (int k = 0; k < 3; ++k) {
-        colour.rgb[3 * i + k] = static_cast<std::uint8_t>(result[k] + 0.5f);
-      }
+      if (!outline[x]) continue;
+      const glm::vec3 result = smoothed(source, x, y) + 0.5f;
+      changes[y].push_back({3 * (static_cast<std::size_t>(y) * size.x + x),
+                            {static_cast<std::uint8_t>(result.x),
+                             static_cast<std::uint8_t>(result.y),
+                             static_cast<std::uint8_t>(result.z)}});
     }
+  });
+  for (const auto& row : changes) {
+    for (const Change& change : row) std::copy_n(change.rgb, 3, &colour.rgb[change.at]);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,9 +29,11 @@ enum class PixelClass : std::uint8_t { sky = 0, water = 1, object = 2 };
 /// What a frame cost and how it was made.
 struct FrameStats {
   std::string technique;
+  std::string variant;                                   ///< of the projected grid
   std::string backend;                                   ///< such as "osmesa"
   std::string renderer;                                  ///< GL_RENDERER of the context
   std::vector<std::pair<std::string, double>> passesMs;  ///< wall ms, in order, GL finished
+  std::vector<std::pair<std::string, double>> gpuMs;     ///< by timer queries, on hardware alone
   std::size_t vertices = 0;                              ///< water vertices processed
   double vertexEfficiency = 0.0;  ///< of those, the part inside the camera's frustum
   std::size_t boundRedraws = 0;   ///< frames drawn again because a height passed the bounds
@@ -41,7 +44,12 @@ struct Frame {
   ColourImage colour;
   DepthImage depth;
   std::vector<PixelClass> classes;  ///< one a pixel
+  /// Unit normals in the sea plane's axes, of water upwards, of sky 0; empty unless asked for.
+  std::vector<glm::vec3> normals;
   FrameStats stats;
 };
+
+/// Makes room for a picture of `size` pixels and forgets the last frame's statistics; memory is kept.
+void prepare(Frame& frame, glm::ivec2 size, bool withNormals);
 
 }  // namespace seaway::render

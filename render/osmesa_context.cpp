@@ -2,12 +2,15 @@
 #include "render/osmesa_context.h"
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
-#include "render/gl/loader.h"
+#include "render/loaded_context.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // OSMesa keeps its framebuffer records, about a kilobyte, until the process ends.
@@ -17,9 +20,36 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 namespace seaway::render {
 namespace {
 
-class OsmesaContext final : public HeadlessContext {
+/// OSMesa's functions, looked up when first needed: newer Mesa has no OSMesa any more, and what
+/// draws through EGL shall not need it.
+struct Osmesa {
+  Osmesa() {
+    void* library = dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL);
+    if (!library) throw std::runtime_error(std::string("OSMesa is not installed: ") + dlerror());
+    const auto find = [&](auto& function, const char* name) {
+      function =
+          reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+      if (!function) throw std::runtime_error(std::string("OSMesa lacks ") + name);
+    };
+    find(createContext, "OSMesaCreateContextAttribs");
+    find(destroyContext, "OSMesaDestroyContext");
+    find(makeCurrent, "OSMesaMakeCurrent");
+    find(getProcAddress, "OSMesaGetProcAddress");
+  }
+  decltype(&OSMesaCreateContextAttribs) createContext;
+  decltype(&OSMesaDestroyContext) destroyContext;
+  decltype(&OSMesaMakeCurrent) makeCurrent;
+  decltype(&OSMesaGetProcAddress) getProcAddress;
+};
+
+const Osmesa& osmesa() {
+  static const Osmesa functions;
+  return functions;
+}
+
+class OsmesaContext final : public LoadedContext {
  public:
-  OsmesaContext() {
+  OsmesaContext() : LoadedContext(osmesa().getProcAddress) {
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_PROFILE,
@@ -29,45 +59,49 @@ class OsmesaContext final : public HeadlessContext {
                               OSMESA_CONTEXT_MINOR_VERSION,
                               5,
                               0};
-    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+    context_ = osmesa().createContext(attributes, nullptr);
     if (!context_) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
     try {
-      makeCurrent();
-      description_ = loadGl(&OSMesaGetProcAddress);
+      load();
     } catch (...) {
-      OSMesaDestroyContext(context_);
+      destroy();
       throw;
     }
   }
-  ~OsmesaContext() override {
-    // A destroyed context that stays current could be taken for a new one at the same address.
-    if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-    OSMesaDestroyContext(context_);
-  }
+  ~OsmesaContext() override { destroy(); }
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  void makeCurrent() override {
-    if (OSMesaGetCurrentContext() == context_) return;
-    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side)) {
+  std::string backend() const override { return "osmesa"; }
+
+ private:
+  void bind() override {
+    if (!osmesa().makeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side)) {
       throw std::runtime_error("OSMesa context cannot be made current");
     }
   }
+  void unbind() noexcept override { osmesa().makeCurrent(nullptr, nullptr, 0, 0, 0); }
+  void destroy() {
+    release();
+    osmesa().destroyContext(context_);
+  }
 
-  std::string backend() const override { return "osmesa"; }
-  std::string renderer() const override { return description_.renderer; }
-  std::string version() const override { return description_.version; }
-  int maximumSize() const override { return description_.maximumSize; }
-
- private:
   static constexpr int side = 4;
   OSMesaContext context_ = nullptr;
   // OSMesa insists on a default framebuffer; all drawing goes into framebuffers of our own.
   std::array<std::uint8_t, 4 * side * side> unused_{};
-  GlDescription description_;
 };
 
 }  // namespace
+
+bool osmesaIsInstalled() {
+  try {
+    osmesa();
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
 
 std::unique_ptr<HeadlessContext> makeOsmesaContext() { return std::make_unique<OsmesaContext>(); }
 

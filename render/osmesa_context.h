@@ -10,4 +10,7 @@ namespace seaway::render {
 /// Throws std::runtime_error if it does not start.
 std::unique_ptr<HeadlessContext> makeOsmesaContext();
 
+/// Whether its library is there; it is loaded when first asked for.
+bool osmesaIsInstalled();
+
 }  // namespace seaway::render

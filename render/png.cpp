@@ -36,7 +36,7 @@ void writePng(const std::filesystem::path& path, const ColourImage& image) {
   png.flags = PNG_IMAGE_FLAG_FAST;  // five times faster for a fifth more bytes
 
   std::filesystem::path partial = path;
-  partial += ".partial";
+  partial += partialPngSuffix;
   std::error_code error;
   if (!png_image_write_to_file(&png, partial.c_str(), 0, image.rgb.data(), 0, nullptr)) {
     std::filesystem::remove(partial, error);

@@ -6,6 +6,9 @@
 
 namespace seaway::render {
 
+/// What a PNG is called beside its name while it is written.
+inline constexpr const char* partialPngSuffix = ".partial";
+
 /// Writes an 8-bit sRGB PNG beside `path` and renames it, so that no partial file is ever seen.
 /// Throws InputError where the file cannot be written.
 void writePng(const std::filesystem::path& path, const ColourImage& image);

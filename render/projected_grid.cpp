@@ -1,19 +1,17 @@
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "render/edge_smoothing.h"
+#include "render/gl/compute_shading.h"
 #include "render/gl/frame_targets.h"
+#include "render/gl/gpu_clock.h"
 #include "render/gl/object_pass.h"
+#include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
-#include "render/gl/sky_pass.h"
-#include "render/gl/water_pass.h"
+#include "render/grid_placement.h"
 #include "render/headless_context.h"
-#include "render/projector.h"
+#include "render/lighting_decision.h"
 #include "render/render_technique.h"
-#include "render/sea_grid.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -25,53 +23,16 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void check(const ProjectedGridOptions& options) {
-  if (options.grid.x < 2 || options.grid.y < 2) {
-    std::ostringstream message;
-    message << "projected grid: " << options.grid.x << " x " << options.grid.y
-            << " vertices are not allowed; there must be at least 2 each way";
-    throw InputError(message.str());
-  }
-  if (!(options.projectorElevation > 0.0 && std::isfinite(options.projectorElevation))) {
-    throw InputError("projected grid: projector elevation must be above 0 m and finite");
-  }
-}
-
-glm::dvec3 towardsSun(const Light& light) {
-  return {std::cos(light.sunElevation) * std::cos(light.sunDirection),
-          std::cos(light.sunElevation) * std::sin(light.sunDirection),
-          std::sin(light.sunElevation)};
-}
-
-/// Depth runs from 1 at the near plane to 0 at infinity, which spreads a float's precision evenly
-/// over distances; nothing is cut off far away.
-glm::mat4 reversedClipFromRelativeWorld(const Camera& camera) {
-  glm::dmat4 clipFromEye = camera.clipFromEye();
-  for (int column = 0; column < 4; ++column) clipFromEye[column][2] = 0.0;
-  clipFromEye[3][2] = camera.nearDistance;
-  return glm::mat4(clipFromEye * camera.eyeFromRelativeWorld());
-}
-
-/// Whether any ray of the picture goes above the horizontal: if one does, one at a corner does.
-bool seesAboveHorizon(const Camera& camera) {
-  const glm::dvec2 last = glm::dvec2(camera.size) - 0.5;
-  for (const glm::dvec2 pixel : {glm::dvec2(-0.5, -0.5), glm::dvec2(last.x, -0.5),
-                                 glm::dvec2(-0.5, last.y), last}) {
-    if (camera.rayThrough(pixel).z > 0.0) return true;
-  }
-  return false;
-}
-
 class ProjectedGridTechnique final : public RenderTechnique {
  public:
   ProjectedGridTechnique(HeadlessContext& context, const ProjectedGridOptions& options)
-      : context_(context), options_(options) {
-    check(options_);
+      : context_(context), options_(options), gpuClock_(!context.isSoftware()) {
+    validate(options_);
   }
   ~ProjectedGridTechnique() override { context_.makeCurrent(); }  // for the names it deletes
 
   std::string name() const override { return "projected_grid"; }
-  Frame draw(const View& view) override;
+  void drawInto(const View& view, Frame& frame) override;
 
  private:
   /// Runs one pass to its end and notes its time, charged to `effect` where one is given.
@@ -79,31 +40,34 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void timed(const View& view, FrameStats& stats, const char* name, std::optional<Effect> effect,
              Pass pass) {
     const Clock::time_point start = Clock::now();
+    gpuClock_.start(name);
     pass();
-    glFinish();
+    gpuClock_.stop();
+    if (options_.readBack) glFinish();
     const double milliseconds = millisecondsSince(start);
     stats.passesMs.emplace_back(name, milliseconds);
     if (effect) view.effects->charge(*effect, 1e3 * milliseconds);
   }
   void prepareTargets(const Camera& camera);
-  bool fillGrid(const View& view, FrameStats& stats);
-  struct Drawn {
-    bool water = false, objects = false, underWater = false;
-  };
-  Drawn drawGeometry(const View& view, FrameStats& stats);
-  ShadingInput decideLight(const View& view, const Drawn& drawn);
-  void shade(const View& view, const Drawn& drawn, FrameStats& stats);
+  Shown drawGeometry(const View& view, FrameStats& stats);
+  void shade(const View& view, const Shown& shown, FrameStats& stats);
+  void read(const View& view, Frame& frame);
   void holdMemory(EffectLedger& effects) const;
+  /// Hardware shades in compute: see ComputeShading.
+  bool shadesInCompute() const {
+    return !context_.isSoftware() || options_.variant == GridVariant::marched;
+  }
 
   HeadlessContext& context_;
   ProjectedGridOptions options_;
-  SeaGrid grid_;
   GlVertexArray noVertices_;
   std::optional<FrameTargets> targets_;
-  std::optional<WaterPass> water_;
+  std::unique_ptr<SeaGeometryPass> sea_;
   std::optional<ObjectPass> objects_;
-  std::optional<SkyPass> sky_;
+  std::optional<SkyDome> sky_;
   std::optional<ShadingPass> shading_;
+  std::optional<ComputeShading> computeShading_;
+  GpuClock gpuClock_;
 };
 
 void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
@@ -121,37 +85,18 @@ void ProjectedGridTechnique::prepareTargets(const Camera& camera) {
   if (noVertices_ == 0) noVertices_ = makeVertexArray();
 }
 
-/// True if there is water to draw. Where a wave passes the bounds that placed the grid, the grid is
-/// placed again with room for it.
-bool ProjectedGridTechnique::fillGrid(const View& view, FrameStats& stats) {
-  const ProjectorOptions options{.elevation = options_.projectorElevation};
-  double bound = view.water->heightBound();
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    const auto projector = Projector::aimedAt(view.camera, bound, options);
-    const bool runs = view.effects->decide(
-        Effect::water, projector.has_value(),
-        projector ? "the waves' volume meets the camera's view" : "no water in the camera's view");
-    if (!runs || !projector) return false;
-    grid_.fill(*view.water, view.time, view.camera, *projector, options_.grid);
-    if (grid_.largestHeight() <= bound) break;
-    bound = 1.05 * grid_.largestHeight();
-    ++stats.boundRedraws;
-  }
-  stats.vertices = grid_.vertices().size();
-  stats.vertexEfficiency = static_cast<double>(grid_.verticesInFrustum()) / stats.vertices;
-  return true;
-}
-
-ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& view,
-                                                                   FrameStats& stats) {
-  Drawn drawn;
+Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) {
+  Shown shown;
   const Clock::time_point start = Clock::now();
-  if (view.water) drawn.water = fillGrid(view, stats);
+  const auto place = [&](const Projector& projector) {
+    if (!sea_) sea_ = makeSeaGeometryPass(options_.variant);
+    return sea_->place(view, projector, options_.grid);
+  };
+  shown.water = placeSea(view, options_.projectorElevation, place, stats).has_value();
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
-  const glm::dvec3 eye = view.camera.position;
-  drawn.underWater = drawn.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
-  if (drawn.water) view.effects->charge(Effect::water, 1e3 * fillMs);
+  shown.cameraIsUnderWater = shown.water && cameraIsUnderWater(view);
+  if (shown.water) view.effects->charge(Effect::water, 1e3 * fillMs);
 
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->geometry);
   glViewport(0, 0, targets_->size.x, targets_->size.y);
@@ -166,20 +111,14 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 
-  const glm::mat4 clipFromRelativeWorld = reversedClipFromRelativeWorld(view.camera);
-  if (drawn.water) {
+  const glm::mat4 clipFromRelativeWorld(reversedClipFromRelativeWorld(view.camera));
+  if (shown.water) {
     timed(view, stats, "water", Effect::water, [&] {
-      if (!water_) water_.emplace();
-      water_->draw(grid_, clipFromRelativeWorld, drawn.underWater);
+      sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater);
     });
   }
-  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
-                                     [&](const auto& o) { return inView(o, view.camera); });
-  drawn.objects =
-      view.effects->decide(Effect::vesselMeshes, anyInView,
-                           anyInView ? "a vessel is in the camera's view" : "no vessel in view") &&
-      anyInView;
-  if (drawn.objects) {
+  shown.objects = decideObjects(view);
+  if (shown.objects) {
     timed(view, stats, "objects", Effect::vesselMeshes, [&] {
       if (!objects_) objects_.emplace();
       objects_->draw(view.objects, view.camera, clipFromRelativeWorld);
@@ -187,43 +126,31 @@ ProjectedGridTechnique::Drawn ProjectedGridTechnique::drawGeometry(const View& v
   }
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_STENCIL_TEST);
-  return drawn;
+  return shown;
 }
 
-ShadingInput ProjectedGridTechnique::decideLight(const View& view, const Drawn& drawn) {
-  ShadingInput input;
-  input.view = &view;
-  input.sunDirection = glm::vec3(towardsSun(view.light));
-  const bool sunIsUp = input.sunDirection.z > -0.01f;  // its disc is half a degree wide
-  const bool skyIsSeen = drawn.water || seesAboveHorizon(view.camera);
-  const bool sunIsSeen = sunIsUp && (skyIsSeen || drawn.objects);
-  input.sunIsOn = view.effects->decide(Effect::sun, sunIsSeen,
-                                       sunIsSeen ? "the sun is up"
-                                       : sunIsUp ? "nothing that it lights is in view"
-                                                 : "the sun is below the horizon");
-  const char* sky = drawn.water ? "water reflects it"
-                    : skyIsSeen ? "the camera sees above the horizon"
-                                : "nothing shows or reflects it";
-  if (view.effects->decide(Effect::sky, skyIsSeen, sky)) {
-    if (!sky_) sky_.emplace();
-    input.skyDome = sky_->dome();
-  }
-  return input;
-}
-
-void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameStats& stats) {
+void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameStats& stats) {
   glBindVertexArray(noVertices_);
-  ShadingInput input = decideLight(view, drawn);
-  if (input.skyDome != 0) {
-    timed(view, stats, "sky", Effect::sky, [&] { sky_->draw(input.sunDirection); });
-  }
-  input.waterIsOn = drawn.water;
-  input.objectsAreOn = drawn.objects;
-  input.cameraIsUnderWater = drawn.underWater;
+  Lighting lighting;
+  timed(view, stats, "sky", std::nullopt, [&] { lighting = decideLighting(view, shown, sky_); });
+  if (lighting.sky) view.effects->charge(Effect::sky, 1e3 * stats.passesMs.back().second);
+  if (!lighting.sky) stats.passesMs.pop_back();
+  ShadingInput input;
+  input.constants = shadingConstants(view, lighting);
+  input.sky = lighting.sky;
+  input.waterIsOn = shown.water;
+  input.objectsAreOn = shown.objects;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
-  const auto payer = drawn.water            ? std::optional(Effect::water)
-                     : input.skyDome != 0 ? std::optional(Effect::sky)
-                                          : std::nullopt;
+  std::optional<Effect> payer;
+  if (shown.water || lighting.sky) payer = shown.water ? Effect::water : Effect::sky;
+  if (lighting.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
+  if (shadesInCompute()) {
+    timed(view, stats, "shading", payer, [&] {
+      if (!computeShading_) computeShading_.emplace();
+      computeShading_->shade(*targets_, input);
+    });
+    return;
+  }
   timed(view, stats, "shading", payer, [&] {
     if (!shading_) shading_.emplace();
     shading_->shade(*targets_, input);
@@ -232,33 +159,63 @@ void ProjectedGridTechnique::shade(const View& view, const Drawn& drawn, FrameSt
 }
 
 void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
-  const std::size_t water = grid_.memoryBytes() + (water_ ? water_->memoryBytes() : 0) +
-                            (shading_ ? shading_->waterMemoryBytes() : 0);
+  std::size_t water = sea_ ? sea_->memoryBytes() : 0, sky = sky_ ? sky_->memoryBytes() : 0;
+  const auto addTextures = [&](const auto& shading) {
+    if (!shading) return;
+    water += shading->waterMemoryBytes();
+    sky += shading->skyMemoryBytes();
+  };
+  addTextures(shading_);
+  addTextures(computeShading_);
   if (water > 0) effects.holdMemory(Effect::water, water);
-  if (sky_) effects.holdMemory(Effect::sky, sky_->memoryBytes());
+  if (sky > 0) effects.holdMemory(Effect::sky, sky);
   if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
 }
 
-Frame ProjectedGridTechnique::draw(const View& view) {
-  validate(view.camera);
-  context_.makeCurrent();
-  prepareTargets(view.camera);
-
-  Frame frame;
-  frame.stats.technique = name();
-  frame.stats.backend = context_.backend();
-  frame.stats.renderer = context_.renderer();
-  const Drawn drawn = drawGeometry(view, frame.stats);
-  shade(view, drawn, frame.stats);
+void ProjectedGridTechnique::read(const View& view, Frame& frame) {
+  if (!options_.readBack) {
+    glFinish();
+    return;
+  }
   timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
   timed(view, frame.stats, "smoothing", std::nullopt,
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
+}
+
+void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
+  validate(view.camera);
+  context_.makeCurrent();
+  prepareTargets(view.camera);
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.wantsNormals);
+  frame.stats.technique = name();
+  frame.stats.variant = gridVariantName(options_.variant);
+  frame.stats.backend = context_.backend();
+  frame.stats.renderer = context_.renderer();
+  const Shown shown = drawGeometry(view, frame.stats);
+  shade(view, shown, frame.stats);
+  read(view, frame);
   holdMemory(*view.effects);
+  frame.stats.gpuMs = gpuClock_.collect();
   checkGl("projected grid");
-  return frame;
 }
 
 }  // namespace
+
+std::string_view gridVariantName(GridVariant variant) {
+  switch (variant) {
+    case GridVariant::cpuVertices:
+      return "cpu_vertices";
+    case GridVariant::gpu:
+      return "gpu";
+    case GridVariant::cpuVerticesGpuNormals:
+      return "cpu_vertices_gpu_normals";
+    case GridVariant::marched:
+      return "marched";
+    case GridVariant::software:
+      return "software";
+  }
+  return "";
+}
 
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,
                                                    const ProjectedGridOptions& options) {

@@ -119,34 +119,81 @@ glm::dvec2 Projector::basePoint(double u, double v) const {
   return glm::dvec2(point) / point.z;
 }
 
+double Projector::along(double v) const {
+  const double c = std::cos(depression_), s = std::sin(depression_);
+  const double y = glm::mix(range_.least.y, range_.most.y, v);
+  return position_.z * (c + y * s) / (s - y * c);
+}
+
+double Projector::logarithm(double v) const {
+  return std::asinh((along(v) - glm::length(glm::dvec2(position_))) / rowScale_);
+}
+
 std::vector<double> Projector::rows(int count) const {
   const double c = std::cos(depression_), s = std::sin(depression_);
-  const auto along =
-      [&](double v) {  // distance from the projector's foot, the same all along a row
-        const double y = glm::mix(range_.least.y, range_.most.y, v);
-        return position_.z * (c + y * s) / (s - y * c);
-      };
   const double back = glm::length(glm::dvec2(position_));
-  const auto logarithm = [&](double v) { return std::asinh((along(v) - back) / rowScale_); };
   const double first = logarithm(0.0), last = logarithm(1.0);
-  // Share of rows nearer than v; growing, so bisection inverts it.
-  const auto share = [&](double v) {
-    const double even = last > first ? (logarithm(v) - first) / (last - first) : v;
-    return glm::mix(v, even, logarithmicRows_);
+  const double perRange = 1.0 / (range_.most.y - range_.least.y);
+  struct Place {
+    double v, rate;  // by level
+  };
+  const auto placeAt = [&](double level) {  // v where the logarithm is `level`
+    const double grown = std::exp(level), shrunk = 1.0 / grown;
+    const double distance = back + rowScale_ * 0.5 * (grown - shrunk);
+    const double axial = distance * c + position_.z * s;
+    const double y = (distance * s - position_.z * c) / axial;
+    return Place{(y - range_.least.y) * perRange,
+                 rowScale_ * 0.5 * (grown + shrunk) * position_.z / (axial * axial) * perRange};
   };
   std::vector<double> result(count);
-  for (int i = 0; i < count; ++i) {
+  double level = first;
+  for (int i = 1; i + 1 < count; ++i) {
     const double wanted = static_cast<double>(i) / (count - 1);
-    double low = 0.0, high = 1.0;
-    for (int step = 0; step < 52; ++step) {
-      const double middle = 0.5 * (low + high);
-      (share(middle) < wanted ? low : high) = middle;
+    result[i] = wanted;
+    if (!(last > first)) continue;
+    // The share of rows nearer than a level grows with it: Newton's method from the row before,
+    // halving where a step leaves what is left.
+    double low = level, high = last;
+    for (int step = 0; step < 60; ++step) {
+      const Place place = placeAt(level);
+      const double excess =
+          glm::mix(place.v, (level - first) / (last - first), logarithmicRows_) - wanted;
+      (excess < 0.0 ? low : high) = level;
+      const double newton =
+          level - excess / glm::mix(place.rate, 1.0 / (last - first), logarithmicRows_);
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      const double moved = std::abs(next - level);
+      level = next;
+      if (moved < 1e-8 * (1.0 + std::abs(level))) break;  // its square is left
     }
-    result[i] = 0.5 * (low + high);
+    result[i] = std::clamp(placeAt(level).v, 0.0, 1.0);
   }
   result.front() = 0.0;
   result.back() = 1.0;
   return result;
+}
+
+Projector::GridFromPlane Projector::gridFromPlane() const {
+  const double c = std::cos(depression_), s = std::sin(depression_);
+  const double first = logarithm(0.0), last = logarithm(1.0);
+  const glm::dvec2 per = 1.0 / (range_.most - range_.least);
+  GridFromPlane g;
+  g.foot = glm::dvec2(position_);
+  g.azimuth = glm::dvec2(azimuth_);
+  g.cosine = c;
+  g.sine = s;
+  g.heightSine = (position_.z * s);
+  g.heightCosine = (position_.z * c);
+  g.leastX = range_.least.x;
+  g.leastY = range_.least.y;
+  g.perX = per.x;
+  g.perY = per.y;
+  g.back = glm::length(glm::dvec2(position_));
+  g.perScale = 1.0 / rowScale_;
+  g.first = first;
+  g.perLog = last > first ? 1.0 / (last - first) : 0.0;
+  g.logarithmic = last > first ? (logarithmicRows_) : 0.0;
+  return g;
 }
 
 }  // namespace seaway::render

@@ -44,6 +44,20 @@ class Projector {
   /// v of `count` ≥ 2 rows from 0 to 1, growing.
   std::vector<double> rows(int count) const;
 
+  /// Where a place of the sea plane lies in the grid, as constants for a kernel: with
+  /// offset = place − foot, along = offset·azimuth, across = offset·(azimuth.y, −azimuth.x),
+  /// axial = along·cosine + heightSine:
+  ///   u = (across/axial − leastX)·perX,  v = ((along·sine − heightCosine)/axial − leastY)·perY,
+  ///   row/(rows − 1) = v·(1 − logarithmic) + logarithmic·(asinh((along − back)/scale) − first)·perLog
+  /// It inverts basePoint and rows.
+  struct GridFromPlane {
+    glm::dvec2 foot{0.0}, azimuth{1.0, 0.0};
+    double cosine = 1.0, sine = 0.0, heightSine = 0.0, heightCosine = 0.0;
+    double leastX = 0.0, perX = 1.0, leastY = 0.0, perY = 1.0;
+    double back = 0.0, perScale = 1.0, first = 0.0, perLog = 1.0, logarithmic = 0.0;
+  };
+  GridFromPlane gridFromPlane() const;
+
   /// Projector position relative to the camera's foot point; z above still water, m.
   glm::dvec3 position() const { return position_; }
   /// Angle of its axis below the horizontal, rad, (0, π/2].
@@ -58,6 +72,10 @@ class Projector {
   /// Position in projector space of a point of the base plane.
   glm::dvec2 projectorFromBase(glm::dvec2 point) const;
   glm::dvec3 rayThrough(glm::dvec2 projectorPoint) const;
+  /// Distance along the azimuth from the projector's foot, the same all along a row.
+  double along(double v) const;
+  /// Logarithm of distance in which rows are partly even.
+  double logarithm(double v) const;
   void standBack(const std::vector<glm::dvec2>& basePoints);
   void fitRange(const std::vector<glm::dvec2>& basePoints);
 

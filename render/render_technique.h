@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/camera.h"
@@ -48,6 +49,7 @@ struct View {
   Light light;
   std::span<const SceneObject> objects;
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
+  bool wantsNormals = false;        ///< fill Frame::normals
 };
 
 /// One way to draw the sea and what floats on it.
@@ -56,19 +58,62 @@ class RenderTechnique {
   virtual ~RenderTechnique() = default;
   virtual std::string name() const = 0;
 
-  /// Draws `view`. The technique owns its GL objects and reuses them between frames; the context
-  /// it was made with must outlive it. Not thread-safe.
-  virtual Frame draw(const View& view) = 0;
+  /// Draws `view` into `frame`, whose memory is used again. The technique owns what it draws with
+  /// and reuses it between frames; a context it was made with must outlive it. Not thread-safe.
+  virtual void drawInto(const View& view, Frame& frame) = 0;
+
+  /// The same into a frame of its own.
+  Frame draw(const View& view) {
+    Frame frame;
+    drawInto(view, frame);
+    return frame;
+  }
 };
 
-/// How finely the projected grid samples the sea.
+/// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
+enum class GridVariant {
+  cpuVertices,            ///< heights and vertices by the processor, mesh through GL
+  gpu,                    ///< heights by the graphics card, vertices displaced by texture fetch
+  cpuVerticesGpuNormals,  ///< an eighth of the vertices each way by the processor, slopes at all
+                          ///< points of the grid by the graphics card
+  marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
+  software,               ///< raster and shading by the processor too: no GL at all
+};
+/// Name as on the command line: "cpu_vertices", "software".
+std::string_view gridVariantName(GridVariant variant);
+
+/// How finely the projected grid samples the sea, and by which variant.
 struct ProjectedGridOptions {
   glm::ivec2 grid{256, 256};        ///< vertices across, vertices along; ≥ 2 each
   double projectorElevation = 1.0;  ///< least height of the projector above the highest wave, m
+  GridVariant variant = GridVariant::cpuVertices;
+  /// False: the picture stays on the graphics card, the frame carries statistics alone, and passes
+  /// are not waited for.
+  bool readBack = true;
 };
 
-/// Projected grid, vertices computed on the CPU from `View::water` (Johanson 2004, "CPU-based
-/// vertex processing"), drawn through the context.
+/// Johanson's projected grid (2004) without OpenGL: `options.variant` is not looked at. The fastest
+/// where the only OpenGL is software. Threads of TBB's pool share the work; the picture does not
+/// depend on how many there are.
+std::unique_ptr<RenderTechnique> makeSoftwareGrid(const ProjectedGridOptions& options = {});
+
+/// How the naive grid lies around the camera.
+struct NaiveGridOptions {
+  glm::ivec2 grid{256, 256};  ///< vertices eastwards and northwards; ≥ 2 each
+  double side = 2000.0;       ///< m: beyond half of it there is no sea
+};
+
+/// An even grid of the sea plane around the camera's foot, drawn as the software projected grid is.
+/// Kept to show why not: what is near is coarse, what is far is missing, most is out of view.
+std::unique_ptr<RenderTechnique> makeNaiveGrid(const NaiveGridOptions& options = {});
+
+/// A ray through each pixel's centre against the same sea, curved like it: the truth that other
+/// techniques' pictures and depths are compared with. Slow. `options.grid` says for which grid: the
+/// waves that its rows cannot carry are left out here too (reference/band_limited_sea.h, which
+/// states tolerances). Shaded by the same text.
+std::unique_ptr<RenderTechnique> makeReference(const ProjectedGridOptions& options = {});
+
+/// Johanson's projected grid (2004), drawn through the context.
 std::unique_ptr<RenderTechnique> makeProjectedGrid(HeadlessContext& context,
                                                    const ProjectedGridOptions& options = {});
 

@@ -1,57 +1,51 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/band_limit.h"
 #include "render/camera.h"
-#include "render/projector.h"
+#include "render/grid_layout.h"
 #include "surface/water_surface.h"
 
 namespace seaway::render {
 
-/// A vertex of the drawn sea, as it goes into the vertex buffer.
-struct SeaVertex {
-  glm::vec3 position;         ///< relative to the camera, sea-plane axes, curved sea, m
-  glm::vec2 slope;            ///< of the waves the grid carries
-  float height = 0.0f;        ///< of the waves above still water, m
-  float missingSlope = 0.0f;  ///< mean-square slope that the grid does not carry
-};
-
-/// The projected grid's vertices and the triangles that can be in the picture.
+/// A grid's vertices: places, heights and slopes, one array each, row by row from the
+/// nearest. All that the grid cannot carry is left out as BandLimit says, by the row.
 class SeaGrid {
  public:
-  /// Fills the grid from `water` at `time`; memory is reused between calls.
-  void fill(const WaterSurface& water, double time, const Camera& camera,
-            const Projector& projector, glm::ivec2 size);
+  /// Fills the grid from `water`; rows are shared among threads, memory is reused between calls.
+  void fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout);
 
-  const std::vector<SeaVertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& indices() const { return indices_; }
+  glm::ivec2 size() const { return size_; }
+  std::size_t vertexCount() const { return static_cast<std::size_t>(size_.x) * size_.y; }
+
+  /// Relative to the camera, sea-plane axes, on the curved sea, m.
+  const std::vector<float>& x() const { return x_; }
+  const std::vector<float>& y() const { return y_; }
+  const std::vector<float>& z() const { return z_; }
+  /// Of the waves that the grid carries: height above still water, m, and slope.
+  const std::vector<float>& height() const { return height_; }
+  const std::vector<float>& slopeX() const { return slopeX_; }
+  const std::vector<float>& slopeY() const { return slopeY_; }
+  /// Mean-square slope that a row does not carry.
+  const std::vector<float>& missingSlope() const { return missingSlope_; }
 
   /// Largest |height| of all vertices, m.
   double largestHeight() const { return largestHeight_; }
   /// Vertices inside the camera's frustum.
-  std::size_t verticesInFrustum() const { return verticesInFrustum_; }
+  std::size_t verticesInFrustum(const Camera& camera) const;
 
   std::size_t memoryBytes() const;
 
  private:
-  void fillRow(const WaterSurface& water, double time, const Camera& camera,
-               const BandLimit::Plan& plan, int row);
-  void markOutside(const Camera& camera);
-  void connectVisible();
+  double fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
+                 int row);
 
   glm::ivec2 size_{0};
-  std::vector<SeaVertex> vertices_;
-  std::vector<std::uint32_t> indices_;
-  std::vector<std::uint8_t> outside_;      // bits: behind the near plane, left, right, below, above
-  std::vector<glm::dvec2> base_, points_;  // of a row: relative to the foot point, in the plane
-  std::vector<SurfaceSample> full_, partial_;  // of a row
+  std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_;
+  std::vector<double> rowLargest_;
   double largestHeight_ = 0.0;
-  std::size_t verticesInFrustum_ = 0;
 };
 
 }  // namespace seaway::render

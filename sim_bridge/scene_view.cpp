@@ -1,7 +1,9 @@
 #include "sim_bridge/scene_view.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "sim_bridge/output/progress.h"
 #include "sim_bridge/vessel/vessel_mesh.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
@@ -69,6 +71,14 @@ render::View SceneView::view(const Simulation& simulation, const SceneCamera& ca
   view.objects = objects_;
   view.effects = &ledger;
   return view;
+}
+
+Simulation replayWithProgress(const Scene& scene, const Sea& sea, double t) {
+  std::optional<Progress> progress;
+  return Simulation::replayed(scene, sea, t, [&](std::size_t done, std::size_t all) {
+    if (!progress) progress.emplace("replay", all);
+    progress->update(done);
+  });
 }
 
 const SceneCamera& findCamera(const Scene& scene, const std::string& name) {

@@ -25,6 +25,9 @@ class SceneView {
   std::vector<render::SceneObject> objects_;
 };
 
+/// Simulation::replayed with a progress bar.
+Simulation replayWithProgress(const Scene& scene, const Sea& sea, double t);
+
 /// The scene's camera of that name; the first for an empty name. Throws InputError where there is
 /// none, with the nearest name there is.
 const SceneCamera& findCamera(const Scene& scene, const std::string& name);

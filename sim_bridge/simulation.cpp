@@ -34,7 +34,9 @@ Vessel makeVessel(const SceneVessel& vessel, const Sea& sea) {
 Simulation::Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger)
     : Simulation(scene, sea, 0, ledger) {}
 
-Simulation Simulation::replayed(const Scene& scene, const Sea& sea, double t) {
+Simulation Simulation::replayed(
+    const Scene& scene, const Sea& sea, double t,
+    const std::function<void(std::size_t done, std::size_t all)>& observe) {
   const bool forgets =
       std::all_of(scene.vessels.begin(), scene.vessels.end(), [](const SceneVessel& vessel) {
         const BoxHull& hull = vessel.model.hull;
@@ -46,7 +48,13 @@ Simulation Simulation::replayed(const Scene& scene, const Sea& sea, double t) {
       });
   const double from = forgets ? std::max(0.0, t - rememberedPast) : 0.0;
   const auto firstStep = static_cast<long long>(from / scene.run.step);
-  return Simulation(scene, sea, firstStep, nullptr).movedTo(t);
+  Simulation simulation(scene, sea, firstStep, nullptr);
+  const auto all = static_cast<std::size_t>(std::max(0.0, t / scene.run.step - simulation.steps_));
+  for (std::size_t done = 1; simulation.nextTime() <= t; ++done) {
+    simulation.step();
+    if (observe) observe(done, all);
+  }
+  return simulation.movedTo(t);
 }
 
 Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
@@ -109,9 +117,10 @@ void Simulation::advanceTo(double t, EffectLedger* ledger) {
   if (ledger) {
     moves = ledger->decide(Effect::vesselMotion, !vessels_.empty(),
                            vessels_.empty() ? "the scene has no vessel" : "the scene has vessels");
-    if (moves) ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
-                                                 samples_.size() * sizeof(SurfaceSample) +
-                                                 vessels_.size() * sizeof(Vessel));
+    if (moves)
+      ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
+                                                   samples_.size() * sizeof(SurfaceSample) +
+                                                   vessels_.size() * sizeof(Vessel));
   }
   EffectTimer timer(moves ? ledger : nullptr, Effect::vesselMotion);
   forEachVessel(

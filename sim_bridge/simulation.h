@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,7 +24,10 @@ class Simulation {
 
   /// At time `t` ≥ 0, replayed from the start; from 600 s before `t` where that is later and all
   /// vessels are damped, for by then they have forgotten their start.
-  static Simulation replayed(const Scene& scene, const Sea& sea, double t);
+  /// `observe` hears of every step: how many are done, and of how many.
+  static Simulation replayed(
+      const Scene& scene, const Sea& sea, double t,
+      const std::function<void(std::size_t done, std::size_t all)>& observe = {});
 
   double time() const { return time_; }
   double nextTime() const;  ///< after one more step, s

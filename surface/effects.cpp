@@ -65,6 +65,10 @@ void EffectLedger::charge(Effect effect, double microseconds) {
   reports_[indexOf(effect)].costMicroseconds += microseconds;
 }
 
+void EffectLedger::chargeInside(Effect effect, Effect payer) {
+  reports_[indexOf(effect)].costInside = payer;
+}
+
 void EffectLedger::holdMemory(Effect effect, std::size_t bytes) {
   reports_[indexOf(effect)].memoryBytes = bytes;
 }

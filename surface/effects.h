@@ -49,6 +49,9 @@ struct EffectReport {
   std::string reason;
   std::size_t memoryBytes = 0;
   double costMicroseconds = 0.0;  ///< wall time charged in all
+  /// Whose passes do this effect's work too: it has no pass of its own to be measured, and what it
+  /// costs is part of that effect's cost.
+  std::optional<Effect> costInside;
 };
 
 /// Decides and keeps account. Not thread-safe: one ledger per simulation step or frame.
@@ -61,6 +64,8 @@ class EffectLedger {
   bool decide(Effect effect, bool calledFor, std::string_view reason);
 
   void charge(Effect effect, double microseconds);
+  /// Says that `effect` works inside the passes that `payer` is charged for.
+  void chargeInside(Effect effect, Effect payer);
   void holdMemory(Effect effect, std::size_t bytes);
 
   std::vector<EffectReport> report() const;

@@ -10,15 +10,14 @@ namespace seaway {
 /// SurfaceAtTime::sample on several threads, for large batches: below some 10 000 points one thread
 /// is as quick. The same bits for any number of threads.
 ///
-/// `threads` is the most to use, this one included; 0: as many as the machine has cores. The pool
-/// (oneTBB's) is started by the first call and shared by all; allocates. Thread-safe.
+/// Runs in the caller's oneTBB task arena: by default one that all callers share, with as many
+/// threads as the machine has cores, started by the first call. Allocates. Thread-safe.
 void sampleInParallel(const SurfaceAtTime& water, std::span<const glm::dvec2> points,
-                      std::span<SurfaceSample> out, const SampleOptions& options = {},
-                      int threads = 0);
+                      std::span<SurfaceSample> out, const SampleOptions& options = {});
 
 /// The same in the field's cheapest form: see FieldAtTime::Arrays.
 void sampleInParallel(const FieldAtTime& waves, std::span<const double> x,
                       std::span<const double> y, const FieldAtTime::Arrays& out,
-                      const SampleOptions& options = {}, int threads = 0);
+                      const SampleOptions& options = {});
 
 }  // namespace seaway

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 
@@ -19,18 +20,44 @@ FrameTargets::FrameTargets(glm::ivec2 imageSize)
       shading(makeFramebuffer({radiance}, depth)),
       toneMapping(makeFramebuffer({display})) {}
 
+GLuint FrameTargets::displayBytes() {
+  if (displayBytes_ == 0) {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    displayBytes_ = GlTexture(name);
+    glTextureView(name, GL_TEXTURE_2D, display, GL_RGBA8, 0, 1, 0, 1);
+  }
+  return displayBytes_;
+}
+
 std::size_t FrameTargets::memoryBytes() const {
   return static_cast<std::size_t>(size.x) * size.y * (8 + 4 + 4 + 8 + 8 + 4);
 }
 
+namespace {
+
+void readNormals(const FrameTargets& targets, Frame& frame) {
+  const glm::ivec2 size = targets.size;
+  std::vector<glm::vec4> surface(frame.normals.size());  // bottom row first
+  glGetTextureImage(targets.surface, 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(surface.size() * sizeof(glm::vec4)), surface.data());
+  for (int y = 0; y < size.y; ++y) {
+    const glm::vec4* from = surface.data() + static_cast<std::size_t>(size.y - 1 - y) * size.x;
+    for (int x = 0; x < size.x; ++x) {
+      const std::size_t to = static_cast<std::size_t>(y) * size.x + x;
+      frame.normals[to] = frame.classes[to] == PixelClass::water
+                              ? glm::normalize(glm::vec3(-from[x].x, -from[x].y, 1.0f))
+                          : frame.classes[to] == PixelClass::object ? glm::vec3(from[x])
+                                                                    : glm::vec3(0.0f);
+    }
+  }
+}
+
+}  // namespace
+
 void readBack(const FrameTargets& targets, Frame& frame) {
   const glm::ivec2 size = targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
-  frame.colour.size = frame.depth.size = size;
-  frame.colour.rgb.resize(3 * pixels);
-  frame.depth.metres.resize(pixels);
-  frame.classes.resize(pixels);
-
   std::vector<std::uint8_t> rgba(4 * pixels);
   glGetTextureImage(targets.display, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     static_cast<GLsizei>(rgba.size()), rgba.data());
@@ -53,6 +80,7 @@ void readBack(const FrameTargets& targets, Frame& frame) {
                                                 : PixelClass::object;
     }
   }
+  if (!frame.normals.empty()) readNormals(targets, frame);
 }
 
 }  // namespace seaway::render

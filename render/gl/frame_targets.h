@@ -27,10 +27,16 @@ struct FrameTargets {
   GlTexture display;   ///< sRGB, top row first
   GlFramebuffer geometry, shading, toneMapping;
 
+  /// The display's bytes as a compute shader can write them: no sRGB. Made when first asked for.
+  GLuint displayBytes();
+
   std::size_t memoryBytes() const;
+
+ private:
+  GlTexture displayBytes_;
 };
 
-/// Copies of `display` and `distance` as images.
+/// Copies `display` and `distance` into a frame of that size.
 void readBack(const FrameTargets& targets, Frame& frame);
 
 }  // namespace seaway::render

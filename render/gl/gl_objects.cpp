@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/gl/loader.h"
 #include "render/gl/shader_sources.h"
 
 namespace seaway::render {
@@ -21,6 +22,7 @@ std::string shaderLog(GLuint shader) {
 
 GLuint compile(GLenum stage, ShaderParts parts) {
   std::string text = "#version 450 core\n", names;
+  text += isSoftwareRenderer() ? "#define exact precise\n" : "#define exact\n";
   for (const std::string_view part : parts) {
     text += shaderSource(part);
     names += std::string(part) + ' ';
@@ -90,6 +92,20 @@ GlProgram::GlProgram(ShaderParts vertex, ShaderParts fragment) : name_(glCreateP
   const GLuint fragmentShader = compile(GL_FRAGMENT_SHADER, fragment);
   glAttachShader(name_, fragmentShader);
   glDeleteShader(fragmentShader);
+  link();
+}
+
+GlProgram GlProgram::compute(ShaderParts parts) {
+  GlProgram program;
+  program.name_ = GlName<&releaseProgram>(glCreateProgram());
+  const GLuint shader = compile(GL_COMPUTE_SHADER, parts);
+  glAttachShader(program.name_, shader);
+  glDeleteShader(shader);
+  program.link();
+  return program;
+}
+
+void GlProgram::link() {
   glLinkProgram(name_);
   GLint linked = GL_FALSE;
   glGetProgramiv(name_, GL_LINK_STATUS, &linked);
@@ -100,11 +116,20 @@ GlProgram::GlProgram(ShaderParts vertex, ShaderParts fragment) : name_(glCreateP
   }
 }
 
+GLint GlProgram::location(const char* name) const {
+  const auto known = locations_.find(std::string_view(name));
+  if (known != locations_.end()) return known->second;
+  return locations_.emplace(name, glGetUniformLocation(name_, name)).first->second;
+}
+
 void GlProgram::set(const char* name, int value) const {
   glProgramUniform1i(name_, location(name), value);
 }
 void GlProgram::set(const char* name, float value) const {
   glProgramUniform1f(name_, location(name), value);
+}
+void GlProgram::set(const char* name, glm::ivec2 value) const {
+  glProgramUniform2iv(name_, location(name), 1, glm::value_ptr(value));
 }
 void GlProgram::set(const char* name, glm::vec2 value) const {
   glProgramUniform2fv(name_, location(name), 1, glm::value_ptr(value));

@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <initializer_list>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -58,7 +60,8 @@ GlTexture makeTexture(GLenum format, glm::ivec2 size, GLenum filter, int levels 
 /// Throws std::runtime_error if it is not complete.
 GlFramebuffer makeFramebuffer(std::initializer_list<GLuint> colours, GLuint depth = 0);
 
-/// Names of embedded shaders whose texts are joined to one.
+/// Names of embedded shaders whose texts are joined to one. In all of them `exact` keeps arithmetic
+/// as written where the renderer's is to equal the processor's, and lets a graphics card fuse it.
 using ShaderParts = std::initializer_list<std::string_view>;
 
 /// A vertex and a fragment shader, linked.
@@ -67,6 +70,8 @@ class GlProgram {
   GlProgram() = default;
   /// Throws std::runtime_error with the compiler's log.
   GlProgram(ShaderParts vertex, ShaderParts fragment);
+  /// A compute program of its own. Throws as above.
+  static GlProgram compute(ShaderParts parts);
 
   operator GLuint() const { return name_; }
 
@@ -82,9 +87,13 @@ class GlProgram {
   /// Binds `texture` to `unit` and points the sampler `name` at it.
   void setTexture(const char* name, GLuint unit, GLuint texture) const;
 
+  void set(const char* name, glm::ivec2 value) const;
+
  private:
-  GLint location(const char* name) const { return glGetUniformLocation(name_, name); }
+  void link();
+  GLint location(const char* name) const;
   GlName<&releaseProgram> name_;
+  mutable std::map<std::string, GLint, std::less<>> locations_;  // drivers are slow to look up
 };
 
 /// Throws std::runtime_error naming the place if OpenGL recorded an error.

@@ -8,9 +8,6 @@
 
 namespace seaway::render {
 
-/// True if the object's bounding sphere meets the camera's frustum (sides, near and far planes).
-bool inView(const SceneObject& object, const Camera& camera);
-
 /// Draws scene objects into the geometry framebuffer, which must be bound.
 class ObjectPass {
  public:

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/points_table.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
@@ -165,8 +166,7 @@ BuoyRecord recordBuoy(const Sea& sea, glm::dvec2 place, double rate, std::size_t
     series->reserve(count);
   Progress progress("buoy", count);
   for (std::size_t i = 0; i < count; ++i) {
-    const SurfaceSample sample =
-        sea.surface.at(static_cast<double>(i) / rate).sample(place);
+    const SurfaceSample sample = sea.surface.at(static_cast<double>(i) / rate).sample(place);
     record.heave.push_back(sample.height);
     record.slopeEast.push_back(sample.slope.x);
     record.slopeNorth.push_back(sample.slope.y);
@@ -208,8 +208,9 @@ void addBuoyCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--rate", options->rate, "samples a second, Hz (default 2)");
   command->add_option("--segment", options->segment,
                       "length of a segment of Welch's method, s (default 256)");
-  command->add_option("--out", options->out,
-                      "CSV file of the record: time_s,height_m,slope_x,slope_y");
+  command
+      ->add_option("--out", options->out, "CSV file of the record: time_s,height_m,slope_x,slope_y")
+      ->check(mustBeNamed);
   command->add_flag("--json", options->json, "machine-readable, with the spectrum");
   command->footer("Example:\n  seaway buoy configs/scenes/canaveral.yaml --at 28.878,-78.467");
   command->callback([=, &chosen] { chosen = [=] { return runBuoy(*options, std::cout); }; });

@@ -2,7 +2,10 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <new>
+#include <string_view>
 
 #include "sim_bridge/commands/buoy.h"
 #include "sim_bridge/commands/command.h"
@@ -13,6 +16,8 @@
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
 #include "sim_bridge/commands/schema_command.h"
+#include "sim_bridge/output/unfinished_files.h"
+#include "sim_bridge/scene/schema.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -37,10 +42,26 @@ int runChosen(const ChosenCommand& chosen) {
   } catch (const InputError& fault) {
     spdlog::error("{}", fault.what());
     return badInput;
+  } catch (const std::bad_alloc&) {
+    spdlog::error("not enough memory");
+    return failed;
   } catch (const std::exception& fault) {
     spdlog::error("{}", fault.what());
     return failed;
   }
+}
+
+/// What is wrong with the command's name; empty where nothing is.
+std::string faultOfCommand(const CLI::App& app, std::string_view word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const bool known = std::find(names.begin(), names.end(), word) != names.end();
+  if (known || word.substr(0, 1) == "-") return "";
+  const std::string nearest = nearestName(std::string(word), names);
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return "'" + std::string(word) + "' is no command; " +
+         (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + "must be one of: " + all;
 }
 
 void logToStandardError() {
@@ -54,12 +75,18 @@ void logToStandardError() {
 
 int runCommandLine(int argc, const char* const* argv) {
   logToStandardError();
+  removeUnfinishedFilesOnSignals();
   CLI::App app("One sea for vehicle simulators: queried, rendered and geo-referenced.", "seaway");
   app.require_subcommand(1);
   app.set_version_flag("--version", SEAWAY_VERSION);
   app.footer("`seaway COMMAND --help` shows a command's options and an example.");
   ChosenCommand chosen;
   for (const AddCommand add : commands) add(app, chosen);
+  const std::string unknown = argc > 1 ? faultOfCommand(app, argv[1]) : "";
+  if (!unknown.empty()) {
+    spdlog::error("{}", unknown);
+    return badInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {

@@ -7,6 +7,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "render/headless_context.h"
+#include "sim_bridge/commands/options.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
@@ -62,11 +64,12 @@ void writeTables(const std::vector<Study>& studies, std::ostream& out) {
 }  // namespace
 
 int runCost(const CostOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const std::filesystem::path folder = options.out;
   requireWritableFolder(folder);
   const Sea sea = buildSea(scene);
-  const StudyOptions studyOptions{.quick = options.quick};
+  const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
     Progress progress("cost", 3);
@@ -96,11 +99,15 @@ int runCost(const CostOptions& options, std::ostream& out) {
 }
 
 void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
-  auto* command = app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
+  auto* command =
+      app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for cost.json and cost.csv")->required();
+  command->add_option("--out", options->out, "folder for cost.json and cost.csv")
+      ->required()
+      ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway cost configs/scenes/canaveral.yaml --out out/cost --quick");
   command->callback([=, &chosen] { chosen = [=] { return runCost(*options, std::cout); }; });

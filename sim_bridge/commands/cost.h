@@ -11,6 +11,7 @@ struct CostOptions {
   std::string scene;
   std::string out;  ///< folder
   bool quick = false;
+  std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   bool json = false;
 };
 

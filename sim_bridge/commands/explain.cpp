@@ -8,6 +8,8 @@
 
 #include "render/headless_context.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/output/picture_file.h"
+#include "sim_bridge/output/progress.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
 
@@ -30,49 +32,88 @@ std::string_view nameOf(Effect effect) {
   return effectDescriptions()[static_cast<std::size_t>(effect)].name;
 }
 
-void writeTable(const std::vector<EffectReport>& effects, std::ostream& out) {
-  out << fmt::format("{:<16} {:<5} {:>12} {:>12}  {}\n", "effect", "state", "memory", "cost",
-                     "reason");
-  for (const EffectReport& effect : effects) {
-    out << fmt::format("{:<16} {:<5} {:>10} B {:>9.1f} us  {}\n", nameOf(effect.effect),
-                       stateName(effect.state), effect.memoryBytes, effect.costMicroseconds,
-                       effect.reason);
-  }
+const char* unitOf(Effect effect) {
+  return effect == Effect::waves || effect == Effect::vesselMotion ? "step" : "frame";
 }
 
-void writeJson(const std::vector<EffectReport>& effects, std::ostream& out) {
+/// What a scene's effects did, and how often the work behind their costs was done.
+struct Account {
+  std::vector<EffectReport> effects;
+  std::size_t frames = 0;  // one of each camera
+
+  double cost(const EffectReport& effect) const {
+    const bool perFrame = std::string_view(unitOf(effect.effect)) == "frame";
+    return effect.costMicroseconds / static_cast<double>(perFrame && frames > 0 ? frames : 1);
+  }
+};
+
+void writeTable(const Account& account, std::ostream& out) {
+  out << fmt::format("{:<16} {:<5} {:>12} {:>19}  {}\n", "effect", "state", "memory", "cost",
+                     "reason");
+  for (const EffectReport& effect : account.effects) {
+    const std::string cost =
+        effect.costInside
+            ? fmt::format("inside {}", nameOf(*effect.costInside))
+            : fmt::format("{:.1f} us/{}", account.cost(effect), unitOf(effect.effect));
+    out << fmt::format("{:<16} {:<5} {:>10} B {:>19}  {}\n", nameOf(effect.effect),
+                       stateName(effect.state), effect.memoryBytes, cost, effect.reason);
+  }
+  out << fmt::format(
+      "costs: wall time of one step{}; first-use set-up is not in them\n",
+      account.frames == 0 ? ""
+      : account.frames == 1
+          ? " and of the second frame of the camera"
+          : fmt::format(" and of each camera's second frame, mean of {} cameras", account.frames));
+}
+
+void writeJson(const Account& account, std::ostream& out) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const EffectReport& effect : effects) {
+  for (const EffectReport& effect : account.effects) {
     list.push_back({{"name", nameOf(effect.effect)},
                     {"state", stateName(effect.state)},
                     {"reason", effect.reason},
                     {"memory_bytes", effect.memoryBytes},
-                    {"cost_us", effect.costMicroseconds}});
+                    {"cost_us", account.cost(effect)},
+                    {"cost_per", unitOf(effect.effect)}});
+    if (effect.costInside) list.back()["cost_inside"] = nameOf(*effect.costInside);
   }
-  out << nlohmann::ordered_json{{"effects", std::move(list)}}.dump(2) << '\n';
+  out << nlohmann::ordered_json{{"frames", account.frames}, {"effects", std::move(list)}}.dump(2)
+      << '\n';
 }
 
-void drawAll(const Scene& scene, const Simulation& simulation, EffectLedger& ledger) {
+/// Every camera draws twice: the first frame sets up what later ones find there.
+void drawAll(const Scene& scene, const Simulation& simulation, const std::string& backend,
+             EffectLedger& ledger) {
   if (scene.cameras.empty()) return;
-  const auto context = render::makeHeadlessContext();
+  requireMemoryForPicture(scene.run.size);
+  const auto context = render::makeHeadlessContext(backend);
   const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
   SceneView view(scene);
+  Progress progress("frames", 2 * scene.cameras.size());
+  std::size_t drawn = 0;
   for (const SceneCamera& camera : scene.cameras) {
-    technique->draw(view.view(simulation, camera, scene.run.size, ledger));
+    EffectLedger warmUp(scene.effects);
+    for (EffectLedger* counted : {&warmUp, &ledger}) {
+      technique->draw(view.view(simulation, camera, scene.run.size, *counted));
+      progress.update(++drawn);
+    }
   }
 }
 
 }  // namespace
 
 int runExplain(const ExplainOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
   const Sea sea = buildSea(scene);
-  Simulation simulation = Simulation::replayed(scene, sea, time);
+  Simulation simulation = replayWithProgress(scene, sea, time);
   EffectLedger ledger(scene.effects);
-  drawAll(scene, simulation, ledger);
+  drawAll(scene, simulation, options.backend, ledger);
+  simulation.step();
   simulation.step(&ledger);
-  (options.json ? writeJson : writeTable)(ledger.report(), out);
+  const Account account{ledger.report(), scene.cameras.size()};
+  (options.json ? writeJson : writeTable)(account, out);
   return 0;
 }
 
@@ -80,7 +121,8 @@ void addExplainCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("explain", "Show which effects run, why, and what they cost");
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--time", options->time, "seconds since the scene's epoch (default 0)");
+  command->add_option("--time", options->time, "seconds since the scene's epoch >= 0 (default 0)");
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway explain configs/scenes/canaveral.yaml --time 5");
   command->callback([=, &chosen] { chosen = [=] { return runExplain(*options, std::cout); }; });

@@ -111,7 +111,8 @@ int runFit(const FitOptions& options, std::ostream& out) {
   const double from_deg = options.from_deg.value_or(0.0);
   requireInRange("--from-deg", from_deg, Range::within(-360.0, 360.0), "°");
   requireInRange("--depth", options.depth, Range::above(0.0).orInfinite(), "m");
-  const SpectrumSource source = spectrumFrom(options.spectrum, options.record, options.time);
+  const SpectrumSource source =
+      spectrumFrom(options.spectrum, options.record, options.time, options.format);
   requireWritableFile(options.out);
   OctaveFitOptions fitOptions;
   fitOptions.octaves = octaves;
@@ -120,8 +121,8 @@ int runFit(const FitOptions& options, std::ostream& out) {
   if (!options.from_deg) {
     spdlog::warn("a frequency spectrum has no direction: waves from 0 deg assumed; see --from-deg");
   }
-  const OctaveFit fit = isPerlin(options) ? fitPerlinOctaves(source.spectrum, fitOptions)
-                                          : fitGroupOctaves(source.spectrum, fitOptions);
+  const OctaveFit fit = isPerlin(options) ? fitPerlinOctaves(source.spectrum.energy, fitOptions)
+                                          : fitGroupOctaves(source.spectrum.energy, fitOptions);
   if (fit.summary.usable) writeSeaState(options.out, asSeaState(fit, source, options));
   (options.json ? writeJson : writeText)(fit, source, options, out);
   return fit.summary.usable ? 0 : 1;
@@ -132,10 +133,11 @@ void addFitCommand(CLI::App& app, ChosenCommand& chosen) {
   auto options = std::make_shared<FitOptions>();
   command
       ->add_option("SPECTRUM", options->spectrum,
-                   "NDBC spectral density file, jonswap:Hs,Tp,gamma or pm:Hs,Tp")
+                   "file of spectra, or a family such as jonswap:Hs,Tp,gamma; see below")
       ->required();
   command->add_option("--record", options->record, "record of the file, from 0 (default 0)");
   command->add_option("--time", options->time, "record nearest to this time, ISO 8601, UTC");
+  command->add_option("--format", options->format, "format of the file (default: by its content)");
   command->add_option("--model", options->model, "kind of octaves: perlin or group (default perlin)");
   command->add_option("--octaves", options->octaves, "octaves to fit (default 8 Perlin or 24 group octaves)");
   command->add_option("--from-deg", options->from_deg,
@@ -145,6 +147,7 @@ void addFitCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--out", options->out, "sea state file to write")->required();
   command->add_flag("--json", options->json, "machine-readable");
   command->footer(
+      "Families:\n" + spectrumFamilies() + "File formats:\n" + spectrumFileFormats() +
       "Examples:\n  seaway fit 41010.data_spec --record 0 --from-deg 196 --out sea.yaml\n"
       "  seaway fit jonswap:2.5,8,3.3 --from-deg 270 --out sea.yaml");
   command->callback([=, &chosen] { chosen = [=] { return runFit(*options, std::cout); }; });

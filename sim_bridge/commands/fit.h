@@ -10,7 +10,8 @@
 namespace seaway::bridge {
 
 struct FitOptions {
-  std::string spectrum;       ///< file, `jonswap:Hs,Tp,gamma` or `pm:Hs,Tp`
+  std::string spectrum;       ///< as `spectrumFrom` takes it
+  std::string format;         ///< of a file; empty: by its content
   std::optional<int> record;  ///< of a file, from 0
   std::string time;           ///< of a file, ISO 8601
   std::string model = "perlin";

@@ -1,8 +1,10 @@
 #include "sim_bridge/commands/options.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "sim_bridge/scene/schema.h"
+#include "surface/field/wave_field.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -28,6 +30,15 @@ double requireTime(double time) {
   return time;
 }
 
+double requireSeaTime(double time) {
+  requireInRange("--time", time, Range::within(-WaveField::latest, WaveField::latest), "s");
+  return time;
+}
+
+std::string mustBeNamed(const std::string& path) {
+  return path.empty() ? "'' is not allowed; must name a file or folder" : "";
+}
+
 void overrideModel(Scene& scene, const std::string& model) {
   if (model != "group" && model != "perlin") {
     throw InputError("--model: '" + model + "' is not allowed; must be one of: group, perlin");
@@ -38,6 +49,12 @@ void overrideModel(Scene& scene, const std::string& model) {
                      "--model has no effect: key 'sea.state' lists the octaves themselves");
   }
   scene.sea.model = model == "group" ? OctaveKind::group : OctaveKind::perlin;
+}
+
+void addBackendOption(CLI::App& command, std::string& backend) {
+  command.add_option("--backend", backend,
+                     "graphics context: osmesa (software), egl, or egl:N for EGL device N")
+      ->capture_default_str();
 }
 
 }  // namespace seaway::bridge

@@ -27,6 +27,7 @@ class Reader {
 
   void read(std::istream& in) {
     char chunk[1 << 16];
+    skipByteOrderMark(in);
     while (in.read(chunk, sizeof chunk), in.gcount() > 0) {
       const auto size = static_cast<std::size_t>(in.gcount());
       if (csv_parse(&parser_, chunk, size, onCell, onRowEnd, this) != size) failParse();
@@ -35,6 +36,14 @@ class Reader {
   }
 
  private:
+  // Spreadsheets write one before UTF-8 text.
+  static void skipByteOrderMark(std::istream& in) {
+    for (const char byte : {'\xEF', '\xBB', '\xBF'}) {
+      if (in.peek() != std::char_traits<char>::to_int_type(byte)) return;
+      in.get();
+    }
+  }
+
   static void onCell(void* text, std::size_t size, void* self) {
     static_cast<Reader*>(self)->addCell({static_cast<const char*>(text), size});
   }

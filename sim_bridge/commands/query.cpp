@@ -12,12 +12,16 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "sim_bridge/commands/blocked_octaves_json.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/points_table.h"
 #include "sim_bridge/output/number_text.h"
+#include "sim_bridge/output/progress.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
 #include "surface/input_error.h"
+#include "surface/parallel_sampling.h"
+#include "surface/water_kinematics.h"
 
 namespace seaway::bridge {
 namespace {
@@ -25,15 +29,21 @@ namespace {
 constexpr const char* resultColumns[] = {"height_m", "slope_x", "slope_y", "velocity_z_m_s",
                                          "error_m",  "bound_m", "status"};
 constexpr const char* orbitalColumns[] = {"orbital_u_m_s", "orbital_v_m_s", "orbital_w_m_s"};
+constexpr const char* pressureColumn = "pressure_pa";
+
+// Points that go through the surface in one call, between two looks at the progress bar.
+constexpr std::size_t pointsPerCall = 1 << 18;
 
 struct Point {
-  glm::dvec2 position{0.0};  // sea plane, m
+  glm::dvec2 position{0.0};      // sea plane, m
+  std::optional<double> height;  // m above the still-water level; without: on the surface
   double time = 0.0;
   bool inRange = true;
 };
 
 struct Answer {
   SurfaceSample sample;
+  double pressure = std::nan("");
   double ellipsoidalHeight = std::nan("");
 };
 
@@ -60,42 +70,100 @@ Point pointOf(const PointsTable& table, std::size_t row, const QueryOptions& opt
     point.position = place.position;
     point.inRange = place.inRange;
     if (!std::isfinite(latitude_deg + longitude_deg)) {
-      point = {glm::dvec2(std::nan("")), 0.0, true};
+      point.position = glm::dvec2(std::nan(""));
+      point.inRange = true;
     }
   }
-  if (table.columns.height >= 0) table.number(row, table.columns.height);  // only checked so far
+  point.height = options.height;
+  if (table.columns.height >= 0) point.height = table.number(row, table.columns.height);
   point.time = table.columns.time >= 0 ? table.number(row, table.columns.time) : *options.time;
   return point;
 }
 
-// Rows of one time go through the surface together.
-std::vector<SurfaceSample> sampleAll(const std::vector<Point>& points, const WaterSurface& surface,
-                                     const SampleOptions& options) {
-  std::map<double, std::vector<std::size_t>> rowsAt;
-  std::vector<SurfaceSample> samples(points.size());
+SurfaceSample unserved(SampleStatus status) {
   const double nan = std::nan("");
+  SurfaceSample sample;
+  sample.height = sample.verticalVelocity = sample.error = sample.bound = nan;
+  sample.slope = glm::dvec2(nan);
+  sample.status = status;
+  return sample;
+}
+
+/// Asks the sea at one time; keeps its memory from one call to the next.
+class Asker {
+ public:
+  Asker(const std::vector<Point>& points, const SampleOptions& options)
+      : points_(points), options_(options) {}
+
+  void ask(std::span<const std::size_t> rows, const SurfaceAtTime& now,
+           std::vector<Answer>& answers) {
+    places_.clear();
+    for (const std::size_t row : rows) places_.push_back(points_[row].position);
+    samples_.resize(rows.size());
+    sampleInParallel(now, places_, samples_, options_);
+    for (std::size_t i = 0; i < rows.size(); ++i) answers[rows[i]].sample = samples_[i];
+    if (options_.orbitalVelocity) askKinematics(rows, now, answers);
+  }
+
+ private:
+  // On the surface the stretched dynamic pressure and the weight of the water cancel.
+  void askKinematics(std::span<const std::size_t> rows, const SurfaceAtTime& now,
+                     std::vector<Answer>& answers) {
+    below_.clear();
+    depths_.clear();
+    for (const std::size_t row : rows) {
+      Answer& answer = answers[row];
+      if (points_[row].height && !std::isnan(answer.sample.height)) {
+        below_.push_back(row);
+        depths_.emplace_back(points_[row].position, *points_[row].height);
+      } else if (std::isfinite(answer.sample.orbitalVelocity.x)) {
+        answer.pressure = 0.0;
+      }
+    }
+    motions_.resize(below_.size());
+    sampleKinematics(now.waves(), depths_, motions_, options_);
+    for (std::size_t i = 0; i < below_.size(); ++i) {
+      Answer& answer = answers[below_[i]];
+      answer.sample.orbitalVelocity = motions_[i].velocity;
+      answer.sample.status |= motions_[i].status;
+      answer.pressure = motions_[i].pressure;
+    }
+  }
+
+  const std::vector<Point>& points_;
+  SampleOptions options_;
+  std::vector<glm::dvec2> places_;
+  std::vector<SurfaceSample> samples_;
+  std::vector<std::size_t> below_;  // rows that have a height
+  std::vector<glm::dvec3> depths_;
+  std::vector<WaterKinematics> motions_;
+};
+
+/// The sea at the points; those of one time go through it together.
+std::vector<Answer> askAll(const std::vector<Point>& points, const WaterSurface& surface,
+                           const SampleOptions& options) {
+  std::map<double, std::vector<std::size_t>> rowsAt;
+  std::vector<Answer> answers(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].inRange && !std::isnan(points[i].time)) {
       rowsAt[points[i].time].push_back(i);
     } else {
-      const SampleStatus status =
-          points[i].inRange ? SampleStatus::notFinite : SampleStatus::outOfRange;
-      samples[i].height = samples[i].verticalVelocity = nan;
-      samples[i].slope = glm::dvec2(nan);
-      samples[i].error = samples[i].bound = nan;
-      samples[i].status = status;
+      answers[i].sample =
+          unserved(points[i].inRange ? SampleStatus::notFinite : SampleStatus::outOfRange);
     }
   }
-  std::vector<glm::dvec2> batch;
-  std::vector<SurfaceSample> answers;
+  Progress progress("points", points.size());
+  std::size_t done = 0;
+  Asker asker(points, options);
   for (const auto& [time, rows] : rowsAt) {
-    batch.clear();
-    for (const std::size_t row : rows) batch.push_back(points[row].position);
-    answers.resize(rows.size());
-    surface.sample(batch, time, answers, options);
-    for (std::size_t i = 0; i < rows.size(); ++i) samples[rows[i]] = answers[i];
+    const SurfaceAtTime now = surface.at(time);
+    for (std::size_t first = 0; first < rows.size(); first += pointsPerCall) {
+      const std::size_t count = std::min(pointsPerCall, rows.size() - first);
+      asker.ask(std::span(rows).subspan(first, count), now, answers);
+      progress.update(done += count);
+    }
   }
-  return samples;
+  return answers;
 }
 
 double ellipsoidalHeight(const Sea& sea, const Point& point, const SurfaceSample& sample) {
@@ -121,6 +189,7 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
   if (options.orbital) {
     for (const char* name : orbitalColumns) text += "," + std::string(name);
   }
+  if (options.pressure) text += "," + std::string(pressureColumn);
   text += options.ellipsoidal ? ",ellipsoidal_height_m\n" : "\n";
   for (std::size_t row = 0; row < answers.size(); ++row) {
     for (const std::string& cell : table.rows[row]) text += csvCell(cell) + ",";
@@ -129,6 +198,7 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
     for (int i = 0; options.orbital && i < 3; ++i) {
       text += "," + numberText(answers[row].sample.orbitalVelocity[i]);
     }
+    if (options.pressure) text += "," + numberText(answers[row].pressure);
     if (options.ellipsoidal) text += "," + numberText(answers[row].ellipsoidalHeight);
     text += '\n';
   }
@@ -136,7 +206,7 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
 }
 
 void writeJson(const PointsTable& table, const std::vector<Answer>& answers,
-               const QueryOptions& options, std::ostream& out) {
+               const QueryOptions& options, const Sea& sea, std::ostream& out) {
   nlohmann::ordered_json points = nlohmann::ordered_json::array();
   for (std::size_t row = 0; row < answers.size(); ++row) {
     nlohmann::ordered_json point;
@@ -158,10 +228,14 @@ void writeJson(const PointsTable& table, const std::vector<Answer>& answers,
     for (int i = 0; options.orbital && i < 3; ++i) {
       point[orbitalColumns[i]] = answers[row].sample.orbitalVelocity[i];
     }
+    if (options.pressure) point[pressureColumn] = answers[row].pressure;
     if (options.ellipsoidal) point["ellipsoidal_height_m"] = answers[row].ellipsoidalHeight;
     points.push_back(std::move(point));
   }
-  out << nlohmann::ordered_json{{"points", std::move(points)}}.dump(2) << '\n';
+  out << nlohmann::ordered_json{{"points", std::move(points)},
+                                {"sea", {{"blocked_octaves", asJson(sea.blocked)}}}}
+             .dump(2)
+      << '\n';
 }
 
 PointsTable pointsTable(const QueryOptions& options, std::istream& in) {
@@ -191,12 +265,24 @@ void requireNoneOf(std::span<const char* const> names, const PointsTable& table)
 void requireSound(const QueryOptions& options, const PointsTable& table) {
   requireInRange("--tolerance", options.tolerance, Range::atLeast(0.0), "m");
   requireInRange("--cutoff", options.cutoff, Range::atLeast(0.0), "m");
-  if (options.time) requireTime(*options.time);
+  if (options.time) requireSeaTime(*options.time);
+  if (options.height) {
+    requireInRange("--z", *options.height, Range::any(), "m");
+    if (!options.orbital && !options.pressure) {
+      throw InputError("--z has no effect without --orbital or --pressure");
+    }
+    if (table.columns.height >= 0) {
+      throw InputError(table.source, 1, "column 'z_m' and --z both give the height; give one");
+    }
+  }
   if (!options.time && table.columns.time < 0) {
     throw InputError("--time is wanted, or a column t_s with each point's own time");
   }
   requireNoneOf(resultColumns, table);
   if (options.orbital) requireNoneOf(orbitalColumns, table);
+  if (options.pressure) requireNoneOf(std::span(&pressureColumn, 1), table);
+  const char* ellipsoidal = "ellipsoidal_height_m";
+  if (options.ellipsoidal) requireNoneOf(std::span(&ellipsoidal, 1), table);
 }
 
 }  // namespace
@@ -215,18 +301,18 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
   if (options.ellipsoidal && !sea.level.hasGeoid()) {
     spdlog::warn("no geoid data: the geoid is taken to be the ellipsoid in ellipsoidal_height_m");
   }
-  const auto samples = sampleAll(points, sea.surface,
-                                 {.tolerance = options.tolerance,
-                                  .shortestWavelength = options.cutoff,
-                                  .orbitalVelocity = options.orbital});
-  std::vector<Answer> answers(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    answers[i].sample = samples[i];
-    if (options.ellipsoidal) {
-      answers[i].ellipsoidalHeight = ellipsoidalHeight(sea, points[i], samples[i]);
-    }
+  std::vector<Answer> answers = askAll(points, sea.surface,
+                                       {.tolerance = options.tolerance,
+                                        .shortestWavelength = options.cutoff,
+                                        .orbitalVelocity = options.orbital || options.pressure});
+  for (std::size_t i = 0; options.ellipsoidal && i < points.size(); ++i) {
+    answers[i].ellipsoidalHeight = ellipsoidalHeight(sea, points[i], answers[i].sample);
   }
-  (options.json ? writeJson : writeCsv)(table, answers, options, out);
+  if (options.json) {
+    writeJson(table, answers, options, sea, out);
+  } else {
+    writeCsv(table, answers, options, out);
+  }
   return 0;
 }
 
@@ -234,11 +320,13 @@ void addQueryCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("query", "Ask the sea for heights, slopes and velocities");
   auto options = std::make_shared<QueryOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--time", options->time, "seconds since the scene's epoch");
-  command->add_option("--points", options->points,
-                      "CSV with a header: latitude_deg,longitude_deg or x_m,y_m, optionally z_m, "
-                      "t_s (each point's own time); other columns pass through; - reads standard "
-                      "input");
+  command->add_option("--time", options->time, "seconds since the scene's epoch, also before it");
+  command->add_option(
+      "--points", options->points,
+      "CSV with a header: latitude_deg,longitude_deg or x_m,y_m, optionally z_m (height "
+      "above the still-water level, for --orbital and --pressure), "
+      "t_s (each point's own time); other columns pass through; - reads standard "
+      "input");
   command->add_option("--at", options->at, "LATITUDE,LONGITUDE in degrees; may be repeated")
       ->expected(1, -1);
   command->add_option("--tolerance", options->tolerance,
@@ -249,14 +337,22 @@ void addQueryCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--model", options->model,
                       "kind of octaves, group or perlin (default: the scene's)");
   command->add_flag("--orbital", options->orbital,
-                    "add orbital_u_m_s, orbital_v_m_s, orbital_w_m_s: velocity of the water at the "
-                    "surface, east, north, up");
+                    "add orbital_u_m_s, orbital_v_m_s, orbital_w_m_s: velocity of the water, east, "
+                    "north, up, at the surface or at z_m");
+  command->add_flag("--pressure", options->pressure,
+                    "add pressure_pa: gauge pressure, hydrostatic plus dynamic, at z_m; 0 at the "
+                    "surface, where points without z_m are");
+  command->add_option("--z", options->height,
+                      "height of all points above the still-water level, m, negative below; else "
+                      "column z_m, else the surface");
   command->add_flag("--ellipsoidal", options->ellipsoidal,
                     "add ellipsoidal_height_m: of the surface above the WGS84 ellipsoid");
   command->add_flag("--json", options->json, "machine-readable");
   command->footer(
       "Examples:\n  seaway query configs/scenes/canaveral.yaml --time 12.5 --at 28.878,-78.467\n"
-      "  seaway query configs/scenes/canaveral.yaml --time 0 --points points.csv > heights.csv");
+      "  seaway query configs/scenes/canaveral.yaml --time 0 --points points.csv > heights.csv\n"
+      "  seaway query configs/scenes/canaveral.yaml --time 0 --at 28.878,-78.467 --z -3 --orbital "
+      "--pressure");
   command->callback(
       [=, &chosen] { chosen = [=] { return runQuery(*options, std::cin, std::cout); }; });
 }

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "render/headless_context.h"
-#include "render/png.h"
 #include "sim_bridge/commands/options.h"
-#include "sim_bridge/output/atomic_file.h"
+#include "sim_bridge/output/picture_file.h"
+#include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
@@ -44,21 +44,23 @@ void report(const RenderOptions& options, const SceneCamera& camera, const rende
 }  // namespace
 
 int runRender(const RenderOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
   const SceneCamera& camera = findCamera(scene, options.camera);
   const glm::ivec2 size = options.size.empty() ? scene.run.size : parseSize(options.size);
-  requireWritableFile(options.out);
+  requireWritablePicture(options.out);
+  requireMemoryForPicture(size);
   const Sea sea = buildSea(scene);
-  const Simulation simulation = Simulation::replayed(scene, sea, time);
-  const auto context = render::makeHeadlessContext();
+  const Simulation simulation = replayWithProgress(scene, sea, time);
+  const auto context = render::makeHeadlessContext(options.backend);
   const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
   SceneView view(scene);
   EffectLedger ledger(scene.effects);
   const Stopwatch watch;
   const render::Frame frame = technique->draw(view.view(simulation, camera, size, ledger));
   const double drawMs = watch.milliseconds();
-  render::writePng(options.out, frame.colour);
+  writePicture(options.out, frame.colour);
   report(options, camera, frame, drawMs, out);
   return 0;
 }
@@ -67,10 +69,11 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("render", "Draw one picture of a scene");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--time", options->time, "seconds since the scene's epoch")->required();
+  command->add_option("--time", options->time, "seconds since the scene's epoch, >= 0")->required();
   command->add_option("--camera", options->camera, "camera's name (default: the scene's first)");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
-  command->add_option("--out", options->out, "PNG file to write")->required();
+  command->add_option("--out", options->out, "PNG file to write")->required()->check(mustBeNamed);
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer(
       "Example:\n  seaway render configs/scenes/canaveral.yaml --time 5 --camera chase --out "

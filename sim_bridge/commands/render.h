@@ -13,6 +13,7 @@ struct RenderOptions {
   std::string camera;  ///< empty: the scene's first
   std::string size;    ///< WxH; empty: the scene's
   std::string out;     ///< PNG file
+  std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   bool json = false;
 };
 

@@ -8,9 +8,9 @@
 #include <iostream>
 
 #include "render/headless_context.h"
-#include "render/png.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/run_output.h"
+#include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
@@ -41,10 +41,11 @@ Scene sceneFor(const RunOptions& options) {
 /// Draws what a scene's cameras see. Without cameras or frames no context is made.
 class Cameras {
  public:
-  Cameras(const Scene& scene, const RunFolder& folder, RunSummary& summary)
+  Cameras(const Scene& scene, const std::string& backend, const RunFolder& folder,
+          RunSummary& summary)
       : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
     if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
-    context_ = render::makeHeadlessContext();
+    context_ = render::makeHeadlessContext(backend);
     technique_ = render::makeProjectedGrid(*context_, {.grid = scene.accuracy.grid});
   }
 
@@ -57,7 +58,7 @@ class Cameras {
       summary_.timingsMs["draw"] += drawing.milliseconds();
       for (const auto& [pass, ms] : frame.stats.passesMs) summary_.passesMs[pass] += ms;
       const Stopwatch writing;
-      render::writePng(folder_.frame(i, index), frame.colour);
+      writePicture(folder_.frame(i, index), frame.colour);
       summary_.timingsMs["write"] += writing.milliseconds();
       summary_.lastFrame = std::move(frame.stats);
     }
@@ -79,30 +80,32 @@ long long frameCount(const Scene& scene) {
 }
 
 // Whole steps up to `t`, a row of telemetry each.
-void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& summary) {
+void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& summary,
+          Progress& progress) {
   const Stopwatch watch;
   while (simulation.nextTime() <= t * (1.0 + 1e-12)) {
     simulation.step();
     telemetry.write(simulation);
-    ++summary.steps;
+    progress.update(static_cast<std::size_t>(++summary.steps));
   }
   summary.timingsMs["motion"] += watch.milliseconds();
 }
 
-void sailAndDraw(const Scene& scene, const Sea& sea, const RunFolder& folder, RunSummary& summary) {
+void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
+                 const RunFolder& folder, RunSummary& summary) {
   Telemetry telemetry(folder.path(), scene);
   Simulation simulation(scene, sea);
   telemetry.write(simulation);
-  Cameras cameras(scene, folder, summary);
+  Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);
-  Progress progress("frames", static_cast<std::size_t>(frames));
+  Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
   for (long long frame = 0; frame < frames; ++frame) {
     const double t = static_cast<double>(frame) / scene.run.framesPerSecond;
-    sail(simulation, t, telemetry, summary);
+    sail(simulation, t, telemetry, summary, progress);
     cameras.draw(simulation.movedTo(std::max(t, simulation.time())), frame);
-    progress.update(static_cast<std::size_t>(frame) + 1);
+    progress.update(static_cast<std::size_t>(summary.steps));
   }
-  sail(simulation, scene.run.duration, telemetry, summary);
+  sail(simulation, scene.run.duration, telemetry, summary, progress);
   telemetry.commit();
   summary.frames = frames;
 }
@@ -124,22 +127,24 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
 }  // namespace
 
 int runRun(const RunOptions& options, std::ostream& out) {
+  render::requireBackend(options.backend);
   const Scene scene = sceneFor(options);
+  const long long frames = frameCount(scene);
+  if (frames > 0) requireMemoryForPicture(scene.run.size);
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
-                         scene);
+                         scene, frames);
   const Stopwatch watch;
   RunSummary summary;
   const Sea sea = buildSea(scene);
   summary.timingsMs["sea"] = watch.milliseconds();
   summary.hm0Asked = sea.hm0Asked;
-  sailAndDraw(scene, sea, folder, summary);
+  summary.blocked = sea.blocked;
+  sailAndDraw(scene, options.backend, sea, folder, summary);
   summary.wallSeconds = watch.milliseconds() / 1000.0;
   summary.timingsMs["total"] = watch.milliseconds();
   summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
   const std::string json = summary.json(scene);
-  AtomicFile file(folder.summary());
-  file.stream() << json;
-  file.commit();
+  folder.finish(json);
   writeReport(scene, summary, json, folder, options.json, out);
   return 0;
 }
@@ -161,14 +166,16 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand("run", "Sail a scene: telemetry, camera frames, summary");
   auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out,
-                      "folder to write to (default: out/ and the scene's name)");
+  command
+      ->add_option("--out", options->out, "folder to write to (default: out/ and the scene's name)")
+      ->check(mustBeNamed);
   command->add_option("--duration", options->duration, "simulated seconds (default: the scene's)");
   command->add_option("--fps", options->framesPerSecond,
                       "frames per simulated second, 0 for none (default: the scene's)");
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
+  addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<double> framesPerSecond;
   std::string size;  ///< WxH
   std::optional<std::int64_t> seed;
+  std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   bool json = false;
 };
 
@@ -23,7 +24,8 @@ struct RunOptions {
 ///
 /// The first camera's frames stand in `frames/`, those of each further camera in `frames/NAME/`.
 /// The output folder is checked before any work; files appear whole, summary.json last: a folder
-/// that has one is complete. Frames of an earlier run in the same folder are removed.
+/// that has one is complete. Exactly the files that an earlier run in the same folder lists in its
+/// summary are removed first (RunFolder).
 int runRun(const RunOptions& options, std::ostream& out);
 void addRunCommand(CLI::App& app, ChosenCommand& chosen);
 

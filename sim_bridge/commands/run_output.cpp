@@ -3,71 +3,144 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <charconv>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "sim_bridge/commands/blocked_octaves_json.h"
 #include "sim_bridge/output/atomic_file.h"
+#include "sim_bridge/output/telemetry.h"
 
 namespace seaway::bridge {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Only what a run writes: six digits or more, and the ending.
-bool isFrame(const fs::path& file) {
-  const std::string name = file.stem().string();
-  return file.extension() == ".png" && name.size() >= 6 &&
-         std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+fs::path framesFolder(const fs::path& folder, std::size_t camera, const std::string& name) {
+  return camera == 0 ? folder / "frames" : folder / "frames" / name;
 }
 
-void removeFrames(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && isFrame(entry.path())) fs::remove(entry.path());
+std::string frameName(long long index) { return fmt::format("{:06}.png", index); }
+
+// A list is a file that anyone may have written: only plain names are followed.
+bool isPlainName(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
+  });
+}
+
+bool isTelemetry(const std::string& name) {
+  const fs::path path(name);
+  return path.extension() == ".csv" && isPlainName(path.stem().string()) &&
+         name.rfind("telemetry", 0) == 0;
+}
+
+struct EarlierRun {
+  std::vector<std::string> telemetry, cameras;
+  long long frames = 0;
+};
+
+/// What a list says; nothing where it is not there or is no list of a run.
+std::optional<EarlierRun> readList(const fs::path& file) {
+  std::ifstream stream(file);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  try {
+    return EarlierRun{json.at("telemetry"), json.at("cameras"), json.at("frames")};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
   }
+}
+
+void removeFrames(const fs::path& folder, long long count) {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string stem = entry.path().stem().string();
+    long long index = -1;
+    std::from_chars(stem.data(), stem.data() + stem.size(), index);
+    const bool listed = index >= 0 && index < count && entry.path().filename() == frameName(index);
+    if (listed && entry.is_regular_file(ignored)) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file);
+}
+
+void removeEarlierRun(const fs::path& folder, const fs::path& list) {
+  const std::optional<EarlierRun> earlier = readList(list);
+  if (earlier) {
+    for (const std::string& name : earlier->telemetry) {
+      if (isTelemetry(name)) fs::remove(folder / name);
+    }
+    // The first camera's folder holds the others': it goes last.
+    for (std::size_t i = earlier->cameras.size(); i-- > 0;) {
+      if (!isPlainName(earlier->cameras[i])) continue;
+      const fs::path frames = framesFolder(folder, i, earlier->cameras[i]);
+      removeFrames(frames, earlier->frames);
+      std::error_code notEmpty;
+      fs::remove(frames, notEmpty);
+    }
+  }
+  fs::remove(list);
+}
+
+nlohmann::ordered_json filesOf(const Scene& scene, long long frames) {
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const SceneCamera& camera : scene.cameras) cameras.push_back(camera.name);
+  return {{"telemetry", telemetryFiles(scene)}, {"cameras", cameras}, {"frames", frames}};
 }
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder, const Scene& scene) : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, const Scene& scene, long long frames)
+    : folder_(std::move(folder)) {
   for (const SceneCamera& camera : scene.cameras) cameras_.push_back(camera.name);
   requireWritableFolder(folder_);
   requireWritableFile(summary());
-  fs::remove(summary());
-  if (scene.run.framesPerSecond == 0.0) return;
-  for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
-    requireWritableFolder(frames(camera));
-    removeFrames(frames(camera));
+  removeEarlierRun(folder_, summary());
+  removeEarlierRun(folder_, unfinished());
+  if (frames > 0) {
+    for (std::size_t i = 0; i < cameras_.size(); ++i) requireWritableFolder(this->frames(i));
   }
+  AtomicFile list(unfinished());
+  list.stream() << filesOf(scene, frames).dump() << '\n';
+  list.commit();
 }
 
 fs::path RunFolder::frames(std::size_t camera) const {
-  return camera == 0 ? folder_ / "frames" : folder_ / "frames" / cameras_[camera];
+  return framesFolder(folder_, camera, cameras_[camera]);
 }
 
 fs::path RunFolder::frame(std::size_t camera, long long index) const {
-  return frames(camera) / fmt::format("{:06}.png", index);
+  return frames(camera) / frameName(index);
+}
+
+void RunFolder::finish(const std::string& text) const {
+  AtomicFile file(summary());
+  file.stream() << text;
+  file.commit();
+  fs::remove(unfinished());
 }
 
 std::string RunSummary::json(const Scene& scene) const {
-  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-  for (const SceneCamera& camera : scene.cameras) cameras.push_back(camera.name);
-  const nlohmann::ordered_json summary{
-      {"scene", scene.file.string()},
-      {"seed", scene.sea.seed},
-      {"sea", {{"hm0_asked_m", hm0Asked}, {"hm0_realised_m", hm0Realised}}},
-      {"duration_s", scene.run.duration},
-      {"step_s", scene.run.step},
-      {"steps", steps},
-      {"fps", scene.run.framesPerSecond},
-      {"size", {scene.run.size.x, scene.run.size.y}},
-      {"cameras", cameras},
-      {"frames", frames},
-      {"technique", lastFrame.technique},
-      {"backend", lastFrame.backend},
-      {"renderer", lastFrame.renderer},
-      {"real_time_factor", wallSeconds > 0.0 ? scene.run.duration / wallSeconds : 0.0},
-      {"wall_s", wallSeconds},
-      {"timings_ms", timingsMs},
-      {"passes_ms", passesMs}};
+  nlohmann::ordered_json summary{{"scene", scene.file.string()},
+                                 {"seed", scene.sea.seed},
+                                 {"sea",
+                                  {{"hm0_asked_m", hm0Asked},
+                                   {"hm0_realised_m", hm0Realised},
+                                   {"blocked_octaves", asJson(blocked)}}},
+                                 {"duration_s", scene.run.duration},
+                                 {"step_s", scene.run.step},
+                                 {"steps", steps},
+                                 {"fps", scene.run.framesPerSecond},
+                                 {"size", {scene.run.size.x, scene.run.size.y}}};
+  summary.update(filesOf(scene, frames));
+  summary.update({{"technique", lastFrame.technique},
+                  {"backend", lastFrame.backend},
+                  {"renderer", lastFrame.renderer},
+                  {"real_time_factor", wallSeconds > 0.0 ? scene.run.duration / wallSeconds : 0.0},
+                  {"wall_s", wallSeconds},
+                  {"timings_ms", timingsMs},
+                  {"passes_ms", passesMs}});
   return summary.dump(2) + "\n";
 }
 

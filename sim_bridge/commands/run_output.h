@@ -3,24 +3,36 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "render/frame.h"
 #include "sim_bridge/scene/scene.h"
+#include "surface/field/blocked_octaves.h"
 
 namespace seaway::bridge {
 
 /// Where the files of one `seaway run` go.
+///
+/// `summary.json` lists what a run wrote: `telemetry` by name, and of each of `cameras` as many
+/// `frames`, numbered from 0. Until it is there the same list stands in
+/// `summary.json.unfinished`, so that a run that was cut off is cleared away as well.
 class RunFolder {
  public:
-  /// Makes the folders and throws InputError unless they can be written to; removes the summary and
-  /// the frames that an earlier run left there.
-  RunFolder(std::filesystem::path folder, const Scene& scene);
+  /// Makes the folders and throws InputError unless they can be written to; then removes the
+  /// summary that an earlier run left there and exactly the files that it lists, with folders of
+  /// cameras that this empties; and leaves the list of the files that are to come: `frames` of each
+  /// camera.
+  RunFolder(std::filesystem::path folder, const Scene& scene, long long frames);
 
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path frame(std::size_t camera, long long index) const;
-  std::filesystem::path summary() const { return folder_ / "summary.json"; }
+
+  /// Makes the summary appear: the run is whole.
+  void finish(const std::string& summary) const;
 
  private:
+  std::filesystem::path summary() const { return folder_ / "summary.json"; }
+  std::filesystem::path unfinished() const { return folder_ / "summary.json.unfinished"; }
   std::filesystem::path frames(std::size_t camera) const;
 
   std::filesystem::path folder_;
@@ -29,9 +41,10 @@ class RunFolder {
 
 /// What a run did, for summary.json.
 struct RunSummary {
-  double hm0Asked = 0.0;     ///< m
-  double hm0Realised = 0.0;  ///< m
-  long long frames = 0;      ///< of each camera
+  double hm0Asked = 0.0;               ///< m
+  double hm0Realised = 0.0;            ///< m
+  std::vector<BlockedOctave> blocked;  ///< octaves that the current stops
+  long long frames = 0;                ///< of each camera
   long long steps = 0;
   double wallSeconds = 0.0;
   std::map<std::string, double> timingsMs;  ///< totals by stage

@@ -1,82 +1,167 @@
 #include "sim_bridge/commands/spectrum_source.h"
 
-#include <charconv>
-#include <vector>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <span>
 
-#include "sim_bridge/scene/schema.h"
 #include "surface/input_error.h"
 #include "surface/spectra/families.h"
-#include "surface/spectra/ndbc.h"
+#include "surface/spectra/readers/read_spectra.h"
+#include "surface/spectra/readers/text_cursor.h"
+#include "surface/spectra/sea_states.h"
+#include "surface/spectra/swell.h"
+#include "surface/spectra/two_peak_families.h"
 
 namespace seaway::bridge {
 namespace {
 
-std::vector<double> parameters(const std::string& argument, std::string_view list) {
+using Numbers = std::span<const double>;
+
+/// A family as the command line names it.
+struct Family {
+  const char* name;
+  const char* form;
+  const char* summary;
+  std::array<std::size_t, 2> counts;  ///< of numbers allowed
+  FrequencySpectrum (*make)(Numbers);
+};
+
+FrequencySpectrum makeOchiHubble(Numbers n) {
+  if (n.size() == 1) return ochiHubbleMostProbable(n[0]);
+  return ochiHubble({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+}
+
+FrequencySpectrum makeSeaState(Numbers n) {
+  if (n[0] != std::floor(n[0]) || std::abs(n[0]) > 99.0) {
+    throw InputError("sea state must be a whole number in [0, 9]");
+  }
+  return seaStateSpectrum(static_cast<int>(n[0]));
+}
+
+constexpr std::array<Family, 8> families{{
+    {"pm",
+     "pm:Hs,Tp",
+     "Pierson-Moskowitz",
+     {2, 2},
+     [](Numbers n) { return piersonMoskowitz(n[0], n[1]); }},
+    {"pm_wind",
+     "pm_wind:U",
+     "the same, fully developed, by the wind at 19.5 m",
+     {1, 1},
+     [](Numbers n) { return piersonMoskowitzOfWind(n[0]); }},
+    {"jonswap",
+     "jonswap:Hs,Tp[,gamma]",
+     "JONSWAP, gamma 3.3",
+     {2, 3},
+     [](Numbers n) {
+       return jonswap({n[0], n[1], n.size() > 2 ? n[2] : 3.3});
+     }},
+    {"tma",
+     "tma:Hs,Tp,gamma,depth",
+     "JONSWAP in finite depth",
+     {4, 4},
+     [](Numbers n) {
+       return tma({n[0], n[1], n[2]}, n[3]);
+     }},
+    {"ochi_hubble",
+     "ochi_hubble:Hs or ochi_hubble:Hs1,Tp1,lambda1,Hs2,Tp2,lambda2",
+     "Ochi-Hubble, most probable or by its six parameters",
+     {1, 6},
+     makeOchiHubble},
+    {"torsethaugen",
+     "torsethaugen:Hs,Tp",
+     "two peaks, simplified Torsethaugen",
+     {2, 2},
+     [](Numbers n) { return torsethaugen(n[0], n[1]); }},
+    {"swell",
+     "swell:Hs,Tp,width",
+     "Gaussian swell, width in Hz",
+     {3, 3},
+     [](Numbers n) { return gaussianSwell(n[0], n[1], n[2]); }},
+    {"wmo", "wmo:CODE", "sea state 1-9 of WMO table 3700", {1, 1}, makeSeaState},
+}};
+
+/// The numbers of "a,b,c"; empty where one is none.
+std::vector<double> numbersOf(std::string_view list) {
   std::vector<double> numbers;
-  const char* at = list.data();
-  const char* const end = at + list.size();
   while (true) {
-    double value = 0.0;
-    const auto [stop, fault] = std::from_chars(at, end, value);
-    if (fault != std::errc{} || (stop != end && *stop != ',')) {
-      throw InputError("'" + argument + "' is not jonswap:Hs,Tp,gamma or pm:Hs,Tp in numbers");
-    }
-    numbers.push_back(value);
-    if (stop == end) return numbers;
-    at = stop + 1;
+    const std::size_t comma = list.find(',');
+    const auto number = numberOf(list.substr(0, comma));
+    if (!number) return {};
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    list.remove_prefix(comma + 1);
   }
 }
 
-FrequencySpectrum family(const std::string& argument, const std::string& name,
-                         const std::vector<double>& numbers) {
-  const std::size_t most = name == "jonswap" ? 3 : 2;
-  if (numbers.size() < 2 || numbers.size() > most) {
-    throw InputError("'" + argument + "': wanted " +
-                     (most == 3 ? "jonswap:Hs,Tp or jonswap:Hs,Tp,gamma" : "pm:Hs,Tp"));
+FrequencySpectrum familySpectrum(const Family& family, const std::string& argument) {
+  const std::vector<double> numbers =
+      numbersOf(std::string_view(argument).substr(argument.find(':') + 1));
+  if (numbers.size() != family.counts[0] && numbers.size() != family.counts[1]) {
+    throw InputError("'" + argument + "' is not " + family.form + " in numbers");
   }
-  requireInRange("'" + argument + "': Hs", numbers[0], Range::above(0.0), "m");
-  requireInRange("'" + argument + "': Tp", numbers[1], Range::above(0.0), "s");
-  JonswapParameters sea{numbers[0], numbers[1], name == "pm" ? 1.0 : 3.3};
-  if (numbers.size() == 3) sea.peakEnhancement = numbers[2];
-  requireInRange("'" + argument + "': gamma", sea.peakEnhancement, Range::within(1.0, 20.0), "");
-  return jonswap(sea);
+  try {
+    return family.make(numbers);
+  } catch (const InputError& fault) {
+    throw InputError("'" + argument + "': " + fault.what());
+  }
 }
 
-const SpectrumRecord& choose(const std::vector<SpectrumRecord>& records, const std::string& file,
-                             std::optional<int> record, const std::string& time) {
-  if (!time.empty()) return recordAt(records, time);
-  const int index = record.value_or(0);
-  if (index < 0 || index >= static_cast<int>(records.size())) {
-    throw InputError(file, 0,
-                     "--record: " + std::to_string(index) + " is not allowed; the file has " +
-                         std::to_string(records.size()) + " records, from 0");
+const Family* familyNamed(const std::string& argument) {
+  const std::size_t colon = argument.find(':');
+  if (colon == std::string::npos) return nullptr;
+  for (const Family& family : families) {
+    if (argument.compare(0, colon, family.name) == 0) return &family;
   }
-  return records[static_cast<std::size_t>(index)];
+  if (std::error_code ignored; std::filesystem::exists(argument, ignored)) return nullptr;
+  std::string forms;
+  for (const Family& family : families)
+    forms += (forms.empty() ? "" : ", ") + std::string(family.form);
+  throw InputError("'" + argument + "' is neither a file nor one of: " + forms);
 }
 
 }  // namespace
 
 SpectrumSource spectrumFrom(const std::string& argument, std::optional<int> record,
-                            const std::string& time) {
-  const std::size_t colon = argument.find(':');
-  const std::string name = argument.substr(0, colon);
-  if (colon != std::string::npos && (name == "jonswap" || name == "pm")) {
-    if (record || !time.empty()) {
-      throw InputError("--record and --time choose from a file; '" + argument + "' is none");
+                            const std::string& time, const std::string& format) {
+  if (const Family* family = familyNamed(argument)) {
+    if (record || !time.empty() || !format.empty()) {
+      throw InputError("--record, --time and --format are for a file; '" + argument + "' is none");
     }
-    const auto numbers = parameters(argument, std::string_view(argument).substr(colon + 1));
-    return {family(argument, name, numbers), argument, ""};
+    DirectionalSpectrum spectrum;
+    spectrum.energy = familySpectrum(*family, argument);
+    return {std::move(spectrum), argument, "", {}};
   }
   if (record && !time.empty()) throw InputError("give --record or --time, not both");
-  const std::vector<SpectrumRecord> records = readNdbcSpectralDensity(argument);
-  if (records.empty()) throw InputError(argument, 0, "holds no record");
-  const SpectrumRecord& chosen = choose(records, argument, record, time);
-  const std::string fault = chosen.spectrum.validate().value_or("");
-  if (!fault.empty()) throw InputError(argument, chosen.line, fault);
-  if (!(chosen.spectrum.moment(0) > 0.0)) {
-    throw InputError(argument, chosen.line, "the spectrum of " + chosen.time + " has no energy");
+  const std::vector<SpectrumRecord> records = readSpectra(withCompanions(argument), format);
+  const SpectrumRecord& chosen =
+      time.empty() ? recordNumber(records, record.value_or(0)) : recordAt(records, time);
+  const std::string of = chosen.time.empty() ? "" : " of " + chosen.time;
+  if (!chosen.hasSpectrum()) {
+    throw InputError(argument, chosen.line, "the spectrum" + of + " has fewer than 2 bins");
   }
-  return {chosen.spectrum, argument + ":" + std::to_string(chosen.line), chosen.time};
+  if (!(chosen.spectrum.energy.moment(0) > 0.0)) {
+    throw InputError(argument, chosen.line, "the spectrum" + of + " has no energy");
+  }
+  const std::string line = chosen.line > 0 ? ":" + std::to_string(chosen.line) : "";
+  return {chosen.spectrum, argument + line, chosen.time, chosen.notes};
+}
+
+std::string spectrumFamilies() {
+  std::string text;
+  for (const Family& family : families) {
+    text += "  " + std::string(family.form) + ": " + family.summary + "\n";
+  }
+  return text;
+}
+
+std::string spectrumFileFormats() {
+  std::string text;
+  for (const SpectrumFormatName& format : spectrumFormats()) {
+    text += "  " + format.name + ": " + format.summary + "\n";
+  }
+  return text;
 }
 
 }  // namespace seaway::bridge

@@ -71,7 +71,7 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
                "ms/frame",
                {}};
   const Simulation simulation(scene, sea);
-  const auto context = render::makeHeadlessContext();
+  const auto context = render::makeHeadlessContext(options.backend);
   SceneView sceneView(scene);
   EffectLedger ledger(scene.effects);
   render::View view = sceneView.view(simulation, findCamera(scene, ""), size, ledger);

@@ -29,6 +29,7 @@ struct Study {
 
 struct StudyOptions {
   bool quick = false;  ///< fewer points, pixels and repetitions
+  std::string backend = "osmesa";  ///< of pictures; see makeHeadlessContext
 };
 
 /// A median of wall times and half their interquartile range.

@@ -21,17 +21,17 @@ std::filesystem::path linkTarget(const std::filesystem::path& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(linkTarget(path)), beside_(path_) {
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(linkTarget(path)), beside_(path_) {
   beside_ += ".part" + std::to_string(getpid());
   std::error_code ignored;
   if (path.empty()) throw InputError("a file name is wanted to write to; it is empty");
   if (path_.filename().empty() || std::filesystem::is_directory(path_, ignored)) {
     throw InputError(path_.string(), 0, "cannot be written: is a folder");
   }
-  const bool other = std::filesystem::exists(path_, ignored) &&
-                     !std::filesystem::is_regular_file(path_, ignored);
+  const bool other =
+      std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored);
   if (other) throw InputError(path_.string(), 0, "cannot be written: is not a regular file");
+  unfinished_.emplace(beside_);
   errno = 0;
   stream_.open(beside_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
@@ -50,6 +50,7 @@ void AtomicFile::commit() {
   stream_.close();
   if (!stream_) throw std::runtime_error(path_.string() + ": writing failed (disk full?)");
   std::filesystem::rename(beside_, path_);
+  unfinished_.reset();
   beside_.clear();
 }
 

@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
+
+#include "sim_bridge/output/unfinished_files.h"
 
 namespace seaway::bridge {
 
 /// A file that appears whole or not at all: written beside its path, renamed by `commit`.
-/// Without `commit` nothing is left behind.
+/// Without `commit` nothing is left behind, nor when a signal ends the command.
 class AtomicFile {
  public:
   /// Throws InputError where nothing can be written at `path`.
@@ -23,6 +26,7 @@ class AtomicFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path beside_;
+  std::optional<UnfinishedFile> unfinished_;
   std::ofstream stream_;
 };
 

@@ -19,11 +19,16 @@ void writeRow(std::ostream& out, std::initializer_list<double> cells) {
 
 }  // namespace
 
+std::vector<std::string> telemetryFiles(const Scene& scene) {
+  std::vector<std::string> names{"telemetry.csv"};
+  for (std::size_t i = 1; i < scene.vessels.size(); ++i) {
+    names.push_back("telemetry_" + scene.vessels[i].name + ".csv");
+  }
+  return names;
+}
+
 Telemetry::Telemetry(const std::filesystem::path& folder, const Scene& scene) {
-  const std::size_t count = std::max<std::size_t>(1, scene.vessels.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string name =
-        i == 0 ? "telemetry.csv" : "telemetry_" + scene.vessels[i].name + ".csv";
+  for (const std::string& name : telemetryFiles(scene)) {
     files_.push_back(std::make_unique<AtomicFile>(folder / name));
     files_.back()->stream() << "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,"
                                "heading_deg,speed_m_s,water_height_m,submerged_volume_m3\n";

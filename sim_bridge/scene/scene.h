@@ -57,6 +57,7 @@ struct SeaSettings {
   std::int64_t seed = 1;
   OctaveKind model = OctaveKind::group;  ///< of parametric states
   SeaState state;
+  int stateLine = 0;  ///< where `sea.state` stands in the file
 };
 
 struct VesselStart {

@@ -1,6 +1,9 @@
 #include "sim_bridge/scene/scene_loader.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "surface/geodesy.h"
@@ -43,10 +46,23 @@ void requireInGeodesicRange(const YamlValue& value, const Geodesy& geodesy, doub
              " km from the scene's anchor");
 }
 
+// A fit has its target's wave height to the last digits; half a percent leaves room for rounding
+// by hand.
+void warnOfEditedOctaves(const FileState& state, const YamlValue& key) {
+  const double target = state.seaState.provenance.hm0Target;
+  const double given = state.seaState.significantWaveHeight();
+  if (target == 0.0 || std::abs(given - target) <= 0.005 * target) return;
+  spdlog::warn(
+      "{}:{}: key '{}': the octaves of {} have H_m0 {:.4g} m, its hm0_target_m says {:.4g}",
+      key.file->string(), key.line, key.key, state.path, given, target);
+}
+
 void resolveSeaState(Scene& scene, const YamlValue& document) {
   const YamlValue& state = *document.find("sea")->find("state");
+  scene.sea.stateLine = state.line;
   if (auto* file = std::get_if<FileState>(&scene.sea.state)) {
     file->seaState = loadSeaState(referredFile(*state.find("file"), scene.file));
+    warnOfEditedOctaves(*file, *state.find("file"));
   }
   const auto* octaves = std::get_if<FittedSeaState>(&scene.sea.state);
   if (octaves && octaves->octaves.empty()) {

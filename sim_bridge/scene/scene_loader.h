@@ -15,6 +15,7 @@ const Mapping<Scene>& sceneSchema();
 /// Throws InputError — file, line, key, value and what is allowed — for anything the schema does
 /// not allow, and for duplicate names, a mount that is no vessel of the scene, a camera both
 /// mounted and fixed, a start or camera outside the geodesy's range, or a file that is missing.
+/// Warns (spdlog) where a sea state file's octaves are not of the height its provenance tells.
 Scene loadScene(const std::filesystem::path& file);
 
 }  // namespace seaway::bridge

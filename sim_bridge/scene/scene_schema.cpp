@@ -11,6 +11,17 @@ const Range compass = Range::within(-360.0, 360.0);
 
 constexpr int mostOctaves = 64;
 
+// Far beyond any water: all numbers downstream stay finite.
+void requireSeaLike(const ParametricState& state, const YamlValue& value) {
+  const auto check = [&](const char* key, double number, const Range& range, const char* unit) {
+    if (range.holds(number)) return;
+    const YamlValue& given = *value.find(key);
+    given.fail(given.scalar + " is not allowed; " + range.sentence() + " " + unit);
+  };
+  check("hm0_m", state.significantWaveHeight, Range::within(0.0, 1000.0), "m");
+  check("tp_s", state.peakPeriod, Range::within(0.01, 1e4), "s");
+}
+
 Mapping<Place> placeSchema() {
   return Mapping<Place>({
       number("latitude_deg", &Place::latitude_deg, "°", latitudes, "WGS84", Need::required),
@@ -22,12 +33,13 @@ Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
   using P = ParametricState;
   std::vector<Field<P>> fields{
       number("hm0_m", &P::significantWaveHeight, "m", Range::above(0.0),
-             "significant wave height H_m0", Need::required),
-      number("tp_s", &P::peakPeriod, "s", Range::above(0.0), "peak period", Need::required),
+             "significant wave height H_m0, at most 1000", Need::required),
+      number("tp_s", &P::peakPeriod, "s", Range::above(0.0), "peak period",
+             Need::required),
       number("from_deg", &P::from_deg, "°", compass, "compass direction the waves come from",
              Need::required),
       number("spread_s", &P::spreadExponent, "1", Range::atLeast(0.5).orInfinite(),
-             "exponent s of the spreading cos²ˢ((θ − θ_m)/2) that octaves' directions follow"),
+             "exponent s of the spreading cos²ˢ((θ − θ_m)/2) that the sea has at its frequencies"),
       integer("octaves", &P::octaves, 0, mostOctaves,
               "octaves to fit; 0: 24 group octaves or 8 Perlin octaves"),
   };
@@ -35,7 +47,7 @@ Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
     fields.push_back(
         number("gamma", &P::peakEnhancement, "1", Range::within(1.0, 20.0), "peak enhancement γ"));
   }
-  return Mapping<P>(std::move(fields));
+  return Mapping<P>(std::move(fields), requireSeaLike);
 }
 
 // γ is no key of a Pierson–Moskowitz sea: it is 1.

@@ -1,13 +1,16 @@
 #include "sim_bridge/scene/sea.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "sim_bridge/scene/directional_spread.h"
 #include "surface/angles.h"
+#include "surface/fit/octave_directions.h"
 #include "surface/fit/octave_fit.h"
 #include "surface/input_error.h"
+#include "surface/spectra/directional_spread.h"
 #include "surface/spectra/families.h"
 
 namespace seaway::bridge {
@@ -20,20 +23,25 @@ struct Waves {
 
 Waves wavesOf(const ParametricState& state, const Scene& scene) {
   const bool group = scene.sea.model == OctaveKind::group;
+  const int count = state.octaves > 0 ? state.octaves : group ? 24 : 8;
   OctaveFitOptions options;
-  options.octaves = state.octaves > 0 ? state.octaves : group ? 24 : 8;
+  const bool pairs = group && !std::isinf(state.spreadExponent);
+  options.octaves = pairs ? octavesBeforeSpreading(count) : count;
   options.toward = towardFromCompassFrom(state.from_deg);
+  options.directionalWidth = directionalWidthFor(state.spreadExponent);
   options.depth = scene.sea.depth;
   const FrequencySpectrum target =
       jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement});
   OctaveFit fit = group ? fitGroupOctaves(target, options) : fitPerlinOctaves(target, options);
-  if (!fit.summary.usable) {
-    throw InputError(scene.file.string(), 0,
-                     "key 'sea.state': cannot be fitted: " + fit.summary.message);
-  }
-  unsigned index = 0;
-  for (Octave& octave : fit.octaves) {
-    octave.toward += spreadQuantile(state.spreadExponent, vanDerCorput(index++));
+  if (!fit.summary.usable) throw InputError("cannot be fitted: " + fit.summary.message);
+  if (group) {
+    fit.octaves =
+        spreadDirections(fit.octaves, state.spreadExponent, static_cast<std::size_t>(count));
+  } else {
+    unsigned index = 0;
+    for (Octave& octave : fit.octaves) {
+      octave.toward += spreadQuantile(state.spreadExponent, vanDerCorput(index++));
+    }
   }
   return {std::move(fit.octaves), state.significantWaveHeight};
 }
@@ -51,22 +59,45 @@ Waves wavesOf(const FileState& state, const Scene& scene) {
   return waves;
 }
 
-}  // namespace
-
-Sea buildSea(const Scene& scene) {
-  const SeaSettings& sea = scene.sea;
-  Waves waves;
-  if (scene.effects[static_cast<std::size_t>(Effect::waves)] != EffectSetting::off) {
-    waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
-  }
+WaveField fieldOf(std::vector<Octave> octaves, const SeaSettings& sea) {
   WaveFieldSettings settings;
   settings.seed = static_cast<std::uint64_t>(sea.seed);
   settings.depth = sea.depth;
   settings.current =
       sea.current.speed * unitVector(towardFromCompassToward(sea.current.toward_deg));
-  return {Geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0}),
-          SeaLevel(sea.waterLevel), WaterSurface(WaveField(std::move(waves.octaves), settings)),
-          waves.hm0Asked};
+  return WaveField(std::move(octaves), settings);
+}
+
+void warnOf(const std::vector<BlockedOctave>& blocked, const Scene& scene) {
+  if (blocked.empty()) return;
+  const BlockedOctave& longest = blocked.front();
+  spdlog::warn(
+      "{}: the current stops {} of the sea's octaves, up to a wavelength of {:.3g} m: {:.3g} m/s "
+      "against a group speed of {:.3g} m/s",
+      scene.file.string(), blocked.size(), longest.wavelength, longest.currentAgainst,
+      longest.groupSpeed);
+}
+
+}  // namespace
+
+Sea buildSea(const Scene& scene) {
+  const SeaSettings& sea = scene.sea;
+  try {
+    Waves waves;
+    if (scene.effects[static_cast<std::size_t>(Effect::waves)] != EffectSetting::off) {
+      waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
+    }
+    WaterSurface surface(fieldOf(std::move(waves.octaves), sea));
+    const WaveField& field = surface.waves();
+    std::vector<BlockedOctave> blocked =
+        blockedOctaves(field.octaves(), sea.depth, field.settings().current);
+    warnOf(blocked, scene);
+    return {Geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0}),
+            SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked, std::move(blocked)};
+  } catch (const InputError& fault) {
+    throw InputError(scene.file.string(), sea.stateLine,
+                     std::string("key 'sea.state': ") + fault.what());
+  }
 }
 
 double realisedSignificantWaveHeight(const WaterSurface& surface) {

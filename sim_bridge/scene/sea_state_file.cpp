@@ -113,7 +113,7 @@ const Mapping<OctaveEntry>& octaveEntrySchema() {
                   {"group", OctaveKind::group},
                   {"regular", OctaveKind::regular}},
                  "kind of octave"),
-          number("standard_deviation_m", &E::standardDeviation, "m", Range::atLeast(0.0),
+          number("standard_deviation_m", &E::standardDeviation, "m", Range::within(0.0, 1000.0),
                  "of the octave's height (a regular wave's amplitude over √2)", Need::required),
           number("lattice_m", &E::latticeSize, "m", Range::above(0.0),
                  "perlin: side of a lattice cell"),
@@ -134,9 +134,12 @@ const Mapping<OctaveEntry>& octaveEntrySchema() {
 
 std::string kindName(OctaveKind kind) {
   switch (kind) {
-    case OctaveKind::perlin: return "perlin";
-    case OctaveKind::group: return "group";
-    case OctaveKind::regular: return "regular";
+    case OctaveKind::perlin:
+      return "perlin";
+    case OctaveKind::group:
+      return "group";
+    case OctaveKind::regular:
+      return "regular";
   }
   return "";
 }

@@ -94,8 +94,13 @@ void YamlValue::fail(const std::string& what) const {
 
 YamlValue parseYaml(const std::string& text, const std::filesystem::path& file) {
   try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      throw InputError(file.string(), documents[1].Mark().line + 1,
+                       "a second YAML document starts here; a file holds one");
+    }
     return Converter(std::make_shared<const std::filesystem::path>(file))
-        .convert(YAML::Load(text), "", "", 0);
+        .convert(documents.empty() ? YAML::Node() : documents[0], "", "", 0);
   } catch (const YAML::Exception& fault) {
     throw InputError(
         file.string(), fault.mark.line + 1,

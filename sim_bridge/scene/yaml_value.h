@@ -32,7 +32,8 @@ struct YamlValue {
 };
 
 /// Reads a whole YAML file. Throws InputError, with file and line, where the file cannot be read or
-/// is not YAML, where a key comes twice in a mapping, and where it is nested unreasonably deep.
+/// is not YAML or holds a second document, where a key comes twice in a mapping, and where it is
+/// nested unreasonably deep.
 YamlValue readYaml(const std::filesystem::path& file);
 
 /// The same for a text; `file` is the name that messages give.

@@ -68,8 +68,8 @@ class Vessel {
 
   double time() const { return time_; }
   VesselPose pose() const;
-  double speed() const { return std::abs(course_.speed()); }   ///< over ground, m/s
-  double waterHeight() const { return waterHeight_; }          ///< at the body origin, m
+  double speed() const { return course_.speed(); }     ///< over ground, negative astern, m/s
+  double waterHeight() const { return waterHeight_; }  ///< at the body origin, m
   double submergedVolume() const { return submergedVolume_; }  ///< m³
 
  private:

@@ -170,10 +170,10 @@ void WakeSystem::publish() {
     all.push_back(std::move(waves));
   }
   if (all.empty()) {
-    if (published_.latest()) published_.publish(nullptr);
+    if (published_->latest()) published_->publish(nullptr);
     return;
   }
-  published_.publish(std::make_shared<const DisturbanceState>(
+  published_->publish(std::make_shared<const DisturbanceState>(
       std::move(all), DisturbanceState::Water{settings_.current, settings_.depth}));
 }
 

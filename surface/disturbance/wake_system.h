@@ -73,7 +73,9 @@ class WakeSystem {
   void advance(double t, std::span<const WakeListener> listeners, EffectLedger* ledger = nullptr);
 
   /// The state of the last `advance`; null where nothing is disturbed. Lock-free, any thread.
-  std::shared_ptr<const DisturbanceState> latest() const noexcept { return published_.latest(); }
+  std::shared_ptr<const DisturbanceState> latest() const noexcept { return published_->latest(); }
+  /// What WaterSurface::setDisturbances takes.
+  std::shared_ptr<const Published<DisturbanceState>> feed() const { return published_; }
 
   std::size_t running() const;  ///< wakes that hold windows
   std::size_t memoryBytes() const;
@@ -93,7 +95,8 @@ class WakeSystem {
   WakeSystemSettings settings_;
   std::vector<std::unique_ptr<Vessel>> vessels_;
   std::vector<std::shared_ptr<const WakeTables>> tables_;
-  Published<DisturbanceState> published_;
+  std::shared_ptr<Published<DisturbanceState>> published_ =
+      std::make_shared<Published<DisturbanceState>>();
   std::uint32_t nextHandle_ = 1;
 };
 

@@ -1,6 +1,7 @@
 #include "tests/bench/cases.h"
 
 #include <benchmark/benchmark.h>
+#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <cmath>
@@ -91,10 +92,15 @@ Work batchOf(OctaveKind kind, std::size_t batch) {
   });
 }
 
+tbb::task_arena& twoThreads() {
+  static tbb::task_arena arena(2);
+  return arena;
+}
+
 Work onTwoThreads(std::size_t batch) {
   const FieldAtTime& now = preparedField(OctaveKind::group).now;
   return onArrays(batch, [&now](const BenchPoints& at, BenchArrays& out) {
-    sampleInParallel(now, at.x, at.y, out.arrays(), {}, 2);
+    twoThreads().execute([&] { sampleInParallel(now, at.x, at.y, out.arrays()); });
   });
 }
 

@@ -173,8 +173,8 @@ TEST(Projector, MostVerticesLieInThePictureInOrdinaryViews) {
                {cameraAt({0, 0, 10}, -5.0, 30.0), 0.45}};
   for (const auto& [camera, least] : views) {
     const auto projector = Projector::aimedAt(camera, 0.5);
-    grid.fill(still, 0.0, camera, *projector, {64, 64});
-    EXPECT_GT(static_cast<double>(grid.verticesInFrustum()) / (64 * 64), least)
+    grid.fill(still.at(0.0), camera, projectedLayout(*projector, still.waves(), {64, 64}));
+    EXPECT_GT(static_cast<double>(grid.verticesInFrustum(camera)) / (64 * 64), least)
         << camera.position.z;
   }
 }

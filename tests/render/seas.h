@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "render/headless_context.h"
 #include "render/render_technique.h"
@@ -24,6 +26,39 @@ inline WaterSurface windSea(double significantWaveHeight, double longest) {
     octave.standardDeviation *= 0.25 * significantWaveHeight / std::sqrt(variance);
   }
   return WaterSurface(WaveField(octaves));
+}
+
+/// Twelve group octaves around `peakPeriod` s that spread by ±0.5 rad, at which height falls off
+/// as in a wind sea.
+inline std::vector<Octave> groupOctaves(double significantWaveHeight, double peakPeriod,
+                                        double depth = std::numeric_limits<double>::infinity()) {
+  std::vector<Octave> octaves;
+  double variance = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const double ratio = 0.8 * std::pow(1.12, i);
+    const double a = std::pow(ratio, -2.0) * std::exp(-0.6 * std::pow(ratio, -4.0));
+    octaves.push_back(makeGroupOctave(a, ratio / peakPeriod, 0.12 * ratio / peakPeriod,
+                                      0.3 + 0.5 * std::sin(2.4 * i), 0.5, depth));
+    variance += a * a;
+  }
+  for (Octave& octave : octaves) {
+    octave.standardDeviation *= 0.25 * significantWaveHeight / std::sqrt(variance);
+  }
+  return octaves;
+}
+
+inline WaterSurface groupSea(double significantWaveHeight, double peakPeriod) {
+  return WaterSurface(WaveField(groupOctaves(significantWaveHeight, peakPeriod)));
+}
+
+/// Every kind of octave, in 20 m of water and on a current.
+inline WaterSurface mixedSea() {
+  std::vector<Octave> octaves = groupOctaves(1.0, 6.0, 20.0);
+  octaves.push_back(makePerlinOctave(0.1, 7.0, 1.0, 20.0));
+  octaves.push_back(makePerlinOctave(0.04, 2.5, -0.4, 20.0));
+  octaves.push_back(makeRegularWave(0.2, 0.09, 2.0, 0.7, 20.0));
+  octaves.push_back(makeRegularWave(0.05, 0.4, -2.5, 0.1, 20.0));
+  return WaterSurface(WaveField(octaves, {.seed = 11, .depth = 20.0, .current = {0.7, -0.4}}));
 }
 
 inline WaterSurface moderateSea() { return windSea(1.12, 25.0); }

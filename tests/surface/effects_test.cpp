@@ -63,5 +63,12 @@ TEST(Effects, TimersChargeTheirEffectAndCostsAddUp) {
   EXPECT_GT(reportOf(ledger.report(), Effect::sky).costMicroseconds, 0.0);
 }
 
+TEST(Effects, WorkInsideAnotherEffectsPassesSaysWhose) {
+  EffectLedger ledger;
+  EXPECT_FALSE(reportOf(ledger.report(), Effect::sun).costInside);
+  ledger.chargeInside(Effect::sun, Effect::water);
+  EXPECT_EQ(reportOf(ledger.report(), Effect::sun).costInside, Effect::water);
+}
+
 }  // namespace
 }  // namespace seaway

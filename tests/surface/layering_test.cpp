@@ -21,13 +21,13 @@ const std::vector<Rule> rules = {
     {"ceres/", {"surface/fit/"}},
     {"GeographicLib/", {"surface/geodesy."}},
     {"openvdb/", {"surface/layers/"}},
-    {"fftw", {"surface/fft/"}},
+    {"fftw", {"surface/fft/", "sim_bridge/cost/rivals/"}},
     {"glad/", {"render/"}},
     {"GL/", {"render/"}},
     {"png.h", {"render/png.cpp"}},
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},
-    {"nlohmann/", {"sim_bridge/"}},
+    {"nlohmann/", {"sim_bridge/", "surface/spectra/readers/spotter.cpp"}},
     {"grpc", {"sim_bridge/service/"}},
 };
 

@@ -7,7 +7,7 @@
 
 #include "surface/input_error.h"
 #include "surface/spectra/families.h"
-#include "surface/spectra/ndbc.h"
+#include "surface/spectra/readers/read_spectra.h"
 
 namespace seaway {
 namespace {
@@ -123,10 +123,10 @@ TEST(OctaveFitHard, OptionsOutOfRangeAreRejected) {
 TEST(OctaveFit, EveryBuoyRecordIsFittedToItsOwnWaveHeight) {
   const auto path = std::filesystem::path(SEAWAY_SHARED_DIR) / "data/ndbc/41010.data_spec";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no buoy data at " << path;
-  for (const SpectrumRecord& record : readNdbcSpectralDensity(path)) {
-    const OctaveFit fit = fitPerlinOctaves(record.spectrum);
+  for (const SpectrumRecord& record : readSpectra(path)) {
+    const OctaveFit fit = fitPerlinOctaves(record.spectrum.energy);
     ASSERT_TRUE(fit.summary.usable) << record.time << ' ' << fit.summary.message;
-    EXPECT_NEAR(fit.summary.hm0Fit, record.spectrum.significantWaveHeight(), 1e-9);
+    EXPECT_NEAR(fit.summary.hm0Fit, record.spectrum.energy.significantWaveHeight(), 1e-9);
     EXPECT_LT(fit.summary.residualL2, 0.6) << record.time;  // worse than JONSWAP γ = 7 is no fit
   }
 }

@@ -1,6 +1,7 @@
 #include "surface/parallel_sampling.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <cstring>
 #include <vector>
@@ -19,9 +20,9 @@ TEST(ParallelSampling, GivesTheSameBitsForAnyNumberOfThreads) {
     const auto points = test_support::randomPoints(count, 5e3);
     std::vector<SurfaceSample> alone(count), together(count);
     now.sample(points, alone);
-    for (const int threads : {0, 1, 2, 5}) {
+    for (const int threads : {1, 2, 5}) {
       std::fill(together.begin(), together.end(), SurfaceSample{});
-      sampleInParallel(now, points, together, {}, threads);
+      tbb::task_arena(threads).execute([&] { sampleInParallel(now, points, together); });
       EXPECT_EQ(std::memcmp(alone.data(), together.data(), count * sizeof(SurfaceSample)), 0);
     }
   }
@@ -36,7 +37,7 @@ TEST(ParallelSampling, FillsOnlyTheArraysAskedFor) {
   }
   std::vector<float> height(x.size()), slopeX(x.size());
   sampleInParallel(now.waves(), x, y,
-                   {.height = height, .slopeX = slopeX, .slopeY = {}, .rate = {}}, {}, 2);
+                   {.height = height, .slopeX = slopeX, .slopeY = {}, .rate = {}});
   for (std::size_t i = 0; i < x.size(); ++i) {
     const SurfaceSample sample = now.sample({x[i], y[i]});
     ASSERT_EQ(height[i], static_cast<float>(sample.height));

@@ -131,6 +131,54 @@ TEST(BadInput, BadArgumentsOfFit) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(BadInput, UnknownCommandNamesTheWordAndTheCommands) {
+  expectBadInput(test::seaway({"bogus"}), "'bogus' is no command");
+  expectBadInput(test::seaway({"bogus"}), "run, query, render");
+  expectBadInput(test::seaway({"rander"}), "did you mean 'render'?");
+}
+
+TEST(BadInput, EmptyNamesOfOutput) {
+  const TempFolder folder;
+  const std::string scene = writeScene(folder).string();
+  expectBadInput(test::seaway({"run", scene, "--out", ""}), "--out");
+  expectBadInput(test::seaway({"cost", scene, "--out", ""}), "--out");
+  expectBadInput(test::seaway({"buoy", scene, "--at", "28.878,-78.467", "--out", ""}), "--out");
+  expectBadInput(test::seaway({"render", scene, "--time", "0", "--out", ""}), "--out");
+}
+
+TEST(BadInput, PicturesInOtherFormats) {
+  const TempFolder folder;
+  const std::string scene = writeScene(folder).string();
+  const auto before = folder.files();
+  expectBadInput(
+      test::seaway({"render", scene, "--time", "0", "--out", (folder / "a.jpg").string()}),
+      "must end in .png");
+  EXPECT_EQ(folder.files(), before);
+}
+
+TEST(BadInput, WavesBeyondAllWaterTellFileAndLine) {
+  expectBadScene({{"1.12", "1e200"}},
+                 "scene.yaml:7: key 'sea.state.jonswap.hm0_m': 1e200 is not allowed");
+  expectBadScene({{"5.6", "1e200"}}, "scene.yaml:8: key 'sea.state.jonswap.tp_s'");
+}
+
+TEST(BadInput, ASecondYamlDocument) {
+  expectBadScene({{"vessels:", "---\nvessels:"}}, "second YAML document");
+}
+
+TEST(BadInput, TimeWithoutARecordNamesFileAndOption) {
+  const TempFolder folder;
+  const std::string file =
+      folder
+          .write("b.data_spec",
+                 "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >\n"
+                 "2020 06 08 03 50 9.999 0.100 (0.100) 0.200 (0.200) 0.100 (0.300)\n")
+          .string();
+  const Outcome outcome = test::seaway(
+      {"fit", file, "--time", "2020-06-09T00:00", "--out", (folder / "sea.yaml").string()});
+  expectBadInput(outcome, "b.data_spec: --time 2020-06-09T00:00: no record within 30 minutes");
+}
+
 TEST(BadInput, BadPointsFile) {
   const TempFolder folder;
   const std::string scene = writeScene(folder).string();

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-
 #include <nlohmann/json.hpp>
 
 #include "tests/sim_bridge/test_support.h"
@@ -41,8 +40,19 @@ TEST(CommandLine, ExplainTellsEveryEffectAsJson) {
     EXPECT_TRUE(effect["reason"].is_string());
     EXPECT_TRUE(effect["memory_bytes"].is_number());
     EXPECT_TRUE(effect["cost_us"].is_number());
+    EXPECT_TRUE(effect["cost_per"] == "step" || effect["cost_per"] == "frame");
+    EXPECT_EQ(effect.contains("cost_inside"), effect["name"] == "sun");
     EXPECT_TRUE(effect["state"] == "on" || effect["state"] == "idle" || effect["state"] == "off");
   }
+}
+
+TEST(CommandLine, ExplainSaysWhereTheSunsCostIsAndThatFramesAreWarm) {
+  const test::TempFolder folder;
+  const auto outcome = seaway({"explain", test::writeScene(folder).string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("inside water"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("second frame of the camera"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("us/step"), std::string::npos) << outcome.out;
 }
 
 TEST(CommandLine, ExplainSaysWhatIsSwitchedOff) {
@@ -80,8 +90,8 @@ TEST(CommandLine, SchemaAsJsonListsKeysWithUnitAndRange) {
 TEST(ExplainCommand, WhatIsOffCostsNothing) {
   const TempFolder folder;
   const auto scene = test::writeScene(folder);
-  std::ofstream(scene, std::ios::app)
-      << "effects: {waves: off, vessel_motion: off, water: off, sky: off, sun: off, vessel_meshes: off}\n";
+  std::ofstream(scene, std::ios::app) << "effects: {waves: off, vessel_motion: off, water: off, "
+                                         "sky: off, sun: off, vessel_meshes: off}\n";
   const auto outcome = seaway({"explain", scene.string(), "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);

@@ -41,6 +41,13 @@ TEST(PointsTable, EmptyLinesLineEndsAndAMissingLastOneDoNotMatter) {
   EXPECT_EQ(table.number(1, table.columns.y), 4.0);
 }
 
+TEST(PointsTable, AByteOrderMarkIsNoPartOfTheHeader) {
+  const PointsTable table = read("\xEF\xBB\xBFx_m,y_m\n1,2\n");
+  EXPECT_EQ(table.header[0], "x_m");
+  EXPECT_EQ(table.number(0, table.columns.y), 2.0);
+  EXPECT_NE(faultOf("\xEF\xBB\xBF").find("is empty"), std::string::npos);
+}
+
 TEST(PointsTable, BadCellsAreNamedByFileLineAndColumn) {
   EXPECT_EQ(faultOf("x_m,y_m\n1,2\nabc,3\n"), "p.csv:3: column 'x_m': 'abc' is not a number");
   EXPECT_EQ(faultOf("x_m,y_m\n,2\n"), "p.csv:2: column 'x_m': '' is not a number");

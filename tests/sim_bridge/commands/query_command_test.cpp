@@ -131,8 +131,7 @@ TEST(QueryCommand, OrbitalVelocitiesFollowTheStatusAndAreTheSurfacesOwn) {
   const std::vector<std::string> added(rows[0].end() - 4, rows[0].end());
   EXPECT_EQ(added, (std::vector<std::string>{"status", "orbital_u_m_s", "orbital_v_m_s",
                                              "orbital_w_m_s"}));
-  const SurfaceSample sample =
-      sea.surface.sample({10.1, -20.7}, 3.25, {.orbitalVelocity = true});
+  const SurfaceSample sample = sea.surface.sample({10.1, -20.7}, 3.25, {.orbitalVelocity = true});
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(number(rows[1][rows[1].size() - 3 + static_cast<std::size_t>(i)]),
               sample.orbitalVelocity[i]);

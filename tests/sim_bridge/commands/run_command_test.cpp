@@ -90,6 +90,54 @@ TEST(RunCommand, EarlierFramesInTheSameFolderAreRemovedAndOtherFilesKept) {
   EXPECT_EQ(std::count(files.begin(), files.end(), "out/frames/notes.png"), 1);
 }
 
+TEST(RunCommand, FilesOfVesselsAndCamerasThatAreGoneAreRemovedAndNothingElse) {
+  const TempFolder folder;
+  sail(folder, "out", {"--fps", "2"},
+       {{"cameras:",
+         "  - {name: tender, model: launch.yaml, start: {latitude_deg: 28.8785, longitude_deg: "
+         "-78.467}}\ncameras:\n  - {name: quay, place: {latitude_deg: 28.878, longitude_deg: "
+         "-78.468}, yaw_deg: 90}"}});
+  const auto summary = nlohmann::json::parse(readFile(folder / "out/summary.json"));
+  EXPECT_EQ(summary["telemetry"],
+            (std::vector<std::string>{"telemetry.csv", "telemetry_tender.csv"}));
+  for (const char* mine :
+       {"out/telemetry_notes.csv", "out/frames/000777.png", "out/frames/bow/notes.txt"}) {
+    folder.write(mine, "mine");
+  }
+  sail(folder, "out", {"--fps", "0"});
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{
+                "launch.yaml", "out/frames/000777.png", "out/frames/bow/notes.txt",
+                "out/summary.json", "out/telemetry.csv", "out/telemetry_notes.csv", "scene.yaml"}));
+}
+
+TEST(RunCommandHard, ASummaryThatSeawayDidNotWriteLeadsToNoRemoval) {
+  const TempFolder folder;
+  folder.write("keep.csv", "mine");
+  folder.write("frames/000000.png", "mine");
+  folder.write("out/summary.json",
+               R"({"telemetry": ["../keep.csv", "telemetry/../../keep.csv"],
+                   "cameras": ["../..", ""], "frames": 5})");
+  sail(folder, "out", {"--fps", "0"});
+  EXPECT_EQ(readFile(folder / "keep.csv"), "mine");
+  EXPECT_EQ(readFile(folder / "frames/000000.png"), "mine");
+  folder.write("out/summary.json", "no json");
+  sail(folder, "out", {"--fps", "0"});
+}
+
+TEST(RunCommand, SpeedIsAlongTheHeadingNegativeAstern) {
+  const TempFolder folder;
+  sail(folder, "out", {"--fps", "0"}, {{"speed_m_s: 6", "speed_m_s: -2.5"}});
+  std::istringstream lines(readFile(folder / "out/telemetry.csv"));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  std::istringstream cells(line);
+  std::string cell;
+  for (int i = 0; i < 8; ++i) std::getline(cells, cell, ',');
+  EXPECT_EQ(cell, "-2.5");
+}
+
 TEST(RunCommand, FurtherVesselsAndCamerasHaveFilesOfTheirOwn) {
   const TempFolder folder;
   sail(folder, "out", {"--fps", "1"},

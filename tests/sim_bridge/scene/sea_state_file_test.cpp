@@ -32,8 +32,8 @@ OctaveEntry entry(OctaveKind kind, double standardDeviation, double toward_deg) 
 
 FittedSeaState example() {
   FittedSeaState state;
-  state.octaves = {entry(OctaveKind::perlin, 0.1 + 1e-17, 16.0), entry(OctaveKind::group, 1e-9, 359.5),
-                   entry(OctaveKind::regular, 0.3, 7.0)};
+  state.octaves = {entry(OctaveKind::perlin, 0.1 + 1e-17, 16.0),
+                   entry(OctaveKind::group, 1e-9, 359.5), entry(OctaveKind::regular, 0.3, 7.0)};
   state.provenance.source = "a file: with, odd #signs";
   state.provenance.recordTime = "2020-06-08T03:50Z";
   state.provenance.hm0Target = 1.1188494089912189;
@@ -58,6 +58,28 @@ TEST(SeaStateFile, ReadsBackTheNumbersThatWereWritten) {
   EXPECT_EQ(read.provenance.source, example().provenance.source);
   EXPECT_EQ(read.provenance.recordTime, example().provenance.recordTime);
   EXPECT_EQ(read.provenance.hm0Target, example().provenance.hm0Target);
+}
+
+TEST(SeaStateFile, OctavesThatDisagreeWithTheirTargetAreReported) {
+  const TempFolder folder;
+  FittedSeaState state = example();
+  const auto loaded = [&](double target) {
+    state.provenance.hm0Target = target;
+    writeSeaState(folder / "sea.yaml", state);
+    folder.write("launch.yaml", test::vesselText());
+    const auto scene = folder.write(
+        "scene.yaml",
+        test::sceneText({{"    jonswap:\n      hm0_m: 1.12\n      tp_s: 5.6\n      from_deg: 196\n",
+                          "    file: sea.yaml\n"}}));
+    const auto outcome =
+        test::seaway({"query", scene.string(), "--time", "0", "--at", "28.878,-78.467"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const double given = state.significantWaveHeight();
+  EXPECT_EQ(loaded(given), "");
+  EXPECT_EQ(loaded(1.004 * given), "");
+  EXPECT_NE(loaded(1.1 * given).find("hm0_target_m"), std::string::npos);
 }
 
 TEST(SeaStateFile, LeavesNoTraceOfTheFileBesideIt) {
@@ -96,9 +118,13 @@ TEST(SeaStateFileHard, AnOctaveNeedsTheKeysOfItsKindAndNoOthers) {
     return inputErrorOf([&] { loadSeaState(path); });
   };
   EXPECT_NE(messageOf("kind: group, standard_deviation_m: 1, toward_deg: 0, frequency_hz: 0.1")
-                .find("a group octave needs key 'bandwidth_hz'"), std::string::npos);
-  EXPECT_NE(messageOf("kind: perlin, standard_deviation_m: 1, toward_deg: 0, lattice_m: 3, frequency_hz: 0.1")
-                .find("a perlin octave has no key 'frequency_hz'"), std::string::npos);
+                .find("a group octave needs key 'bandwidth_hz'"),
+            std::string::npos);
+  EXPECT_NE(
+      messageOf(
+          "kind: perlin, standard_deviation_m: 1, toward_deg: 0, lattice_m: 3, frequency_hz: 0.1")
+          .find("a perlin octave has no key 'frequency_hz'"),
+      std::string::npos);
 }
 
 TEST(SeaStateFile, RefusesASeaWithoutEnergyAndBadValues) {

@@ -77,6 +77,21 @@ TEST(Sea, OctavesSpreadAboutTheMeanDirection) {
   EXPECT_GT(most, 0.5);
 }
 
+TEST(Sea, HasTheCountOfOctavesThatTheSceneStates) {
+  EXPECT_EQ(seaWith({}).surface.waves().octaves().size(), 24u);
+  for (const char* count : {"1", "2", "7", "40"}) {
+    const Sea sea = seaWith({{"tp_s: 5.6", "tp_s: 5.6\n      octaves: " + std::string(count)}});
+    EXPECT_EQ(sea.surface.waves().octaves().size(), static_cast<std::size_t>(std::stoi(count)));
+  }
+}
+
+TEST(Sea, DirectionsDoNotDependOnTheSeed) {
+  const Sea a = seaWith({}), b = seaWith({{"seed: 7", "seed: 8"}});
+  for (std::size_t i = 0; i < a.surface.waves().octaves().size(); ++i) {
+    EXPECT_EQ(a.surface.waves().octaves()[i].toward, b.surface.waves().octaves()[i].toward);
+  }
+}
+
 TEST(Sea, CurrentSetsWhereTheCompassSays) {
   const Sea sea = seaWith({{"seed: 7", "seed: 7\n  current: {speed_m_s: 2, toward_deg: 90}"}});
   EXPECT_NEAR(sea.surface.waves().settings().current.x, 2.0, 1e-12);

@@ -30,6 +30,13 @@ TEST(YamlValue, KeyGivenTwiceIsAnError) {
             "f.yaml:3: key 'a': is given twice");
 }
 
+TEST(YamlValue, ASecondDocumentIsAnErrorNotIgnored) {
+  EXPECT_EQ(inputErrorOf([] { parseYaml("a: 1\n---\nb: 2\n", "f.yaml"); }),
+            "f.yaml:3: a second YAML document starts here; a file holds one");
+  EXPECT_EQ(inputErrorOf([] { parseYaml("---\na: 1\n...\n", "f.yaml"); }), "");
+  EXPECT_EQ(inputErrorOf([] { parseYaml("", "f.yaml"); }), "");
+}
+
 TEST(YamlValueHard, EndlessNestingAndAliasBombsEndWithAMessage) {
   const std::string deep = std::string(200, '[') + std::string(200, ']');
   EXPECT_NE(inputErrorOf([&] { parseYaml(deep, "f.yaml"); }).find("too deep"), std::string::npos);

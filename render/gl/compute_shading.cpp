@@ -1,0 +1,26 @@
+#include "render/gl/compute_shading.h"
+
+namespace seaway::render {
+
+ComputeShading::ComputeShading()
+    : program_(GlProgram::compute({"shading_prelude.glsl", "sea_shading.glsl.h", "shade.comp"})) {}
+
+void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
+  setShadingConstants(program_, input.constants);
+  if (input.sky) program_.setTexture("dome", 0, textures_.dome(*input.sky));
+  program_.setTexture("surfaceMap", 1, targets.surface);
+  program_.setTexture("albedoMap", 2, targets.albedo);
+  program_.setTexture("distanceMap", 3, targets.distance);
+  if (input.waterIsOn) {
+    program_.setTexture("fresnelTable", 4, textures_.fresnel());
+    program_.setTexture("rippleMap", 5, textures_.ripples());
+  }
+  glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+  glUseProgram(program_);
+  glDispatchCompute(static_cast<GLuint>((targets.size.x + 15) / 16),
+                    static_cast<GLuint>((targets.size.y + 7) / 8), 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                  GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+}  // namespace seaway::render

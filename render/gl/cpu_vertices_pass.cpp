@@ -1,0 +1,45 @@
+#include "render/gl/cpu_vertices_pass.h"
+
+#include <cstddef>
+
+namespace seaway::render {
+
+CpuVerticesPass::CpuVerticesPass()
+    : program_({"water.vert"}, {"water.frag"}), array_(makeVertexArray()) {
+  glVertexArrayVertexBuffer(array_, 0, vertices_, 0, sizeof(SeaVertex));
+  glVertexArrayElementBuffer(array_, indices_);
+  floatAttribute(array_, 0, 3, offsetof(SeaVertex, position));
+  floatAttribute(array_, 1, 2, offsetof(SeaVertex, slope));
+  floatAttribute(array_, 2, 2, offsetof(SeaVertex, height));
+}
+
+std::string_view CpuVerticesPass::variant() const {
+  return gridVariantName(GridVariant::cpuVertices);
+}
+
+SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector,
+                                    glm::ivec2 size) {
+  grid_.fill(view.water->at(view.time), view.camera,
+             projectedLayout(projector, view.water->waves(), size));
+  mesh_.fill(grid_, view.camera);
+  return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};
+}
+
+void CpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativeWorld,
+                           bool cameraIsUnderWater) {
+  if (mesh_.indices().empty()) return;
+  vertices_.put(std::span(mesh_.vertices()));
+  indices_.put(std::span(mesh_.indices()));
+  program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
+  setWaterStencil(cameraIsUnderWater);
+  glUseProgram(program_);
+  glBindVertexArray(array_);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.indices().size()), GL_UNSIGNED_INT,
+                 nullptr);
+}
+
+std::size_t CpuVerticesPass::memoryBytes() const {
+  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes();
+}
+
+}  // namespace seaway::render

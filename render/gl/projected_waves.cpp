@@ -1,0 +1,31 @@
+#include "render/gl/projected_waves.h"
+
+#include "render/gl/loader.h"
+
+namespace seaway::render {
+
+ProjectedWaves::ProjectedWaves()
+    : noVertices_(makeVertexArray()),
+      map_(isSoftwareRenderer() ? WaveMap::Way::fragment : WaveMap::Way::compute) {}
+
+void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ivec2 size,
+                          std::span<const Stamp> stamps) {
+  const glm::dvec2 foot(view.camera.position);
+  const FieldTwin field(view.water->waves(), view.time, foot);
+  rows_ = twinRows(projector, view.water->waves(), size);
+  glBindVertexArray(noVertices_);
+  stampTexture_ = 0;
+  if (!stamps.empty()) {
+    if (!stampPass_) stampPass_.emplace();
+    map_.uploadRows(rows_);
+    stampTexture_ = stampPass_->draw(stamps, foot, rows_, size.x);
+  }
+  map_.fill(field, rows_, size.x, view.camera, stampTexture_);
+}
+
+std::size_t ProjectedWaves::memoryBytes() const {
+  return map_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
+         rows_.capacity() * sizeof(TwinRow);
+}
+
+}  // namespace seaway::render

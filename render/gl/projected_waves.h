@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/gl/sea_geometry_pass.h"
+#include "render/gl/stamp_pass.h"
+#include "render/gl/wave_map.h"
+
+namespace seaway::render {
+
+/// What the variants with heights from the graphics card share: the field's twin around the
+/// camera's foot, the grid's rows, and the wave map over them, stamps added.
+class ProjectedWaves {
+ public:
+  /// `way` as the context is quicker: compute shaders on hardware, fragment shaders in software.
+  ProjectedWaves();
+
+  /// Fills the map for a grid of `size`. Stamps cost nothing while there are none.
+  void fill(const View& view, const Projector& projector, glm::ivec2 size,
+            std::span<const Stamp> stamps = {});
+
+  const WaveMap& map() const { return map_; }
+  /// Stamps alone, as added to the map; 0 while there are none.
+  GLuint stamps() const { return stampTexture_; }
+  std::span<const TwinRow> rows() const { return rows_; }
+
+  std::size_t memoryBytes() const;
+
+ private:
+  GlVertexArray noVertices_;
+  WaveMap map_;
+  std::optional<StampPass> stampPass_;
+  GLuint stampTexture_ = 0;
+  std::vector<TwinRow> rows_;
+};
+
+}  // namespace seaway::render

@@ -1,0 +1,77 @@
+#include "render/gl/shading_textures.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/shading/shading_tables.h"
+
+namespace seaway::render {
+namespace {
+
+constexpr int fresnelColumns = ShadingTables::fresnelColumns;
+constexpr int fresnelRows = ShadingTables::fresnelRows;
+
+/// Calls `put(level, side, first texel)` for each level of a chain.
+template <typename Put>
+void forEachLevel(int side, int levels, Put put) {
+  for (int level = 0; level < levels; ++level) put(level, side >> level, levelStart(side, level));
+}
+
+}  // namespace
+
+GLuint ShadingTextures::dome(const SkyDome& sky) {
+  if (dome_ == 0) {
+    dome_ = makeTexture(GL_RGB9_E5, {SkyDome::side, SkyDome::side}, GL_LINEAR, SkyDome::levels);
+  }
+  if (domeVersion_ != sky.version()) {
+    forEachLevel(SkyDome::side, SkyDome::levels, [&](int level, int side, int first) {
+      glTextureSubImage2D(dome_, level, 0, 0, side, side, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV,
+                          sky.texels().data() + first);
+    });
+    domeVersion_ = sky.version();
+  }
+  return dome_;
+}
+
+GLuint ShadingTextures::fresnel() {
+  if (fresnel_ != 0) return fresnel_;
+  const ShadingTables& tables = shadingTables();
+  std::vector<glm::vec3> texels;
+  for (std::size_t i = 0; i < tables.mirror.size(); ++i) {
+    texels.emplace_back(static_cast<float>(tables.mirror[i] & 0xFFFFu) / 65535.0f,
+                        static_cast<float>(tables.mirror[i] >> 16) / 65535.0f, tables.area[i]);
+  }
+  fresnel_ = makeTexture(GL_RGBA32F, {fresnelColumns, fresnelRows}, GL_LINEAR);
+  glTextureSubImage2D(fresnel_, 0, 0, 0, fresnelColumns, fresnelRows, GL_RGB, GL_FLOAT,
+                      texels.data());
+  return fresnel_;
+}
+
+GLuint ShadingTextures::ripples() {
+  if (ripples_ != 0) return ripples_;
+  std::vector<glm::vec2> texels;
+  for (const std::uint32_t texel : shadingTables().ripples) {
+    texels.push_back(unpackRipple(texel));
+  }
+  constexpr int wholeSide = ShadingTables::rippleSide, levels = ShadingTables::rippleLevels;
+  ripples_ = makeTexture(GL_RG32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
+  forEachLevel(wholeSide, levels, [&](int level, int side, int first) {
+    glTextureSubImage2D(ripples_, level, 0, 0, side, side, GL_RG, GL_FLOAT,
+                        texels.data() + first);
+  });
+  glTextureParameteri(ripples_, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(ripples_, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return ripples_;
+}
+
+std::size_t ShadingTextures::skyMemoryBytes() const {
+  return dome_ == 0 ? 0 : std::size_t{SkyDome::side} * SkyDome::side * 4 * 4 / 3;
+}
+
+std::size_t ShadingTextures::waterMemoryBytes() const {
+  return (fresnel_ == 0 ? 0 : std::size_t{fresnelColumns} * fresnelRows * 16) +
+         (ripples_ == 0 ? 0 : shadingTables().ripples.size() * 8);
+}
+
+}  // namespace seaway::render

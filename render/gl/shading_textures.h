@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "render/gl/gl_objects.h"
+#include "render/shading/sky_dome.h"
+
+namespace seaway::render {
+
+/// The sky and the tables of shading as textures: the same texels that the processor shades with.
+class ShadingTextures {
+ public:
+  /// The sky's texture, filled again when the dome was drawn anew.
+  GLuint dome(const SkyDome& sky);
+  /// Made when water is first shaded.
+  GLuint fresnel();
+  GLuint ripples();
+
+  std::size_t skyMemoryBytes() const;
+  std::size_t waterMemoryBytes() const;
+
+ private:
+  GlTexture dome_, fresnel_, ripples_;
+  int domeVersion_ = 0;
+};
+
+}  // namespace seaway::render

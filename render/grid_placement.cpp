@@ -1,0 +1,51 @@
+#include "render/grid_placement.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "surface/input_error.h"
+
+namespace seaway::render {
+
+std::optional<Projector> placeSea(const View& view, double projectorElevation,
+                                  const std::function<SeaPlacement(const Projector&)>& place,
+                                  FrameStats& stats) {
+  if (!view.water) return std::nullopt;
+  const ProjectorOptions options{.elevation = projectorElevation};
+  double bound = view.water->heightBound();
+  std::optional<Projector> projector;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    projector = Projector::aimedAt(view.camera, bound, options);
+    const bool runs = view.effects->decide(
+        Effect::water, projector.has_value(),
+        projector ? "the waves' volume meets the camera's view" : "no water in the camera's view");
+    if (!runs || !projector) return std::nullopt;
+    const SeaPlacement placed = place(*projector);
+    stats.vertices = placed.vertices;
+    stats.vertexEfficiency =
+        static_cast<double>(placed.verticesInFrustum) / static_cast<double>(placed.vertices);
+    if (placed.largestHeight <= bound) break;
+    bound = 1.05 * placed.largestHeight;
+    ++stats.boundRedraws;
+  }
+  return projector;
+}
+
+bool cameraIsUnderWater(const View& view) {
+  const glm::dvec3 eye = view.camera.position;
+  return view.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
+}
+
+void validate(const ProjectedGridOptions& options) {
+  if (options.grid.x < 2 || options.grid.y < 2) {
+    std::ostringstream message;
+    message << "projected grid: " << options.grid.x << " x " << options.grid.y
+            << " vertices are not allowed; there must be at least 2 each way";
+    throw InputError(message.str());
+  }
+  if (!(options.projectorElevation > 0.0 && std::isfinite(options.projectorElevation))) {
+    throw InputError("projected grid: projector elevation must be above 0 m and finite");
+  }
+}
+
+}  // namespace seaway::render

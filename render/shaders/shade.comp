@@ -1,0 +1,36 @@
+// Shading and tone mapping of a whole picture, for cards whose fragment shaders are slow. Writes the
+// top row first, as images are stored.
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(rgba8, binding = 0) writeonly uniform image2D displayImage;
+
+uniform sampler2D surfaceMap;
+uniform sampler2D albedoMap;
+uniform sampler2D distanceMap;  // 0 sky, > 0 water, < 0 object
+
+vec3 pixelRadiance(ivec2 pixel, vec3 ray) {
+  float distanceHere = texelFetch(distanceMap, pixel, 0).r;
+  if (distanceHere == 0.0) return skyPixel(normalize(ray));
+  vec3 relative = ray * abs(distanceHere);
+  float range = length(relative);
+  vec4 surface = texelFetch(surfaceMap, pixel, 0);
+  if (distanceHere < 0.0) {
+    return objectRadiance(relative, range, surface.xyz, texelFetch(albedoMap, pixel, 0).rgb);
+  }
+  if (cameraIsUnderWater) return undersideRadiance(relative, range, surface.xy);
+  return waterRadiance(relative, range, surface.xy, surface.z, surface.w);
+}
+
+vec3 srgb(vec3 linear) {
+  vec3 curve = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
+  return mix(curve, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(displayImage);
+  if (any(greaterThanEqual(pixel, size))) return;
+  vec2 screen = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
+  vec3 radiance = pixelRadiance(pixel, forward + screen.x * right + screen.y * up);
+  vec3 display = srgb(filmic(min(radiance, vec3(6e4))));
+  imageStore(displayImage, ivec2(pixel.x, size.y - 1 - pixel.y), vec4(display, 1.0));
+}

@@ -1,0 +1,51 @@
+// What sea_shading.glsl.h needs of its surroundings, in GLSL: a pixel at a time.
+#define Real float
+#define Real2 vec2
+#define Real3 vec3
+#define SHADER
+#define INOUT(type) inout type
+#define anyOf(condition) (condition)
+#define choose(condition, yes, no) ((condition) ? (yes) : (no))
+
+// ShadingConstants
+uniform vec3 forward, right, up;
+uniform float pixelAngle;
+uniform bool cameraIsUnderWater, sunIsOn, skyIsOn, ripplesAreOn;
+uniform vec3 sunDirection, sunLight, skyLight;
+uniform float rootSunHeight, airExtinction, exposure;
+uniform vec2 levelSun, aerosolShape;
+uniform vec3 horizonRayleigh, horizonAerosol, horizonOften;
+uniform vec3 waterExtinction, deepWater, veil, crestSky, crestSun;
+uniform float crestScale, rippleDeviation, hairSlope, rippleLastLevel;
+uniform vec2 rippleFromWorld[4];
+uniform vec2 rippleOrigin[2], rippleAlong[2];
+uniform float rippleTexelsPerMetre[2];
+uniform float rippleKept[8];
+
+uniform sampler2D dome;          // paraboloid sky, mip levels blur it
+uniform sampler2D rippleMap;     // slopes of unit mean square, by mip level
+uniform sampler2D fresnelTable;  // (reflectance, tilt, area) by √cosine and slope deviation
+uniform float roughestSlope;     // slope deviation at the table's end
+
+vec3 skyTexel(vec2 coordinate, float level) {
+  return skyIsOn ? textureLod(dome, coordinate, level).rgb : skyLight;
+}
+
+vec3 rippleMoments(vec2 coordinate, float level) {
+  float whole = floor(clamp(level, 0.0, rippleLastLevel));
+  float here = rippleKept[int(whole)];
+  float kept = mix(here, rippleKept[int(whole) + 1], clamp(level, 0.0, rippleLastLevel) - whole);
+  return vec3(textureLod(rippleMap, coordinate, whole).xy * sqrt(kept / max(here, 1e-6)), kept);
+}
+
+vec3 roughFresnel(float rootCosine, float deviation) {
+  vec2 size = vec2(textureSize(fresnelTable, 0));
+  vec2 part = vec2(rootCosine, deviation / roughestSlope);
+  return texture(fresnelTable, (part * (size - 1.0) + 0.5) / size).xyz;
+}
+vec2 roughMirror(float rootCosine, float deviation) {
+  return roughFresnel(rootCosine, deviation).xy;
+}
+float roughArea(float rootCosine, float deviation) {
+  return roughFresnel(rootCosine, deviation).z;
+}

@@ -1,0 +1,269 @@
+#include "render/shading/pixel_shader.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "render/fresnel.h"
+#include "render/shading/shading_tables.h"
+#include "render/shading/sky_dome.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shading/pixel_shader.cpp"
+#include "hwy/foreach_target.h"
+#include "render/shading/lanes-inl.h"
+
+#ifndef SEAWAY_TONE_TABLE
+#define SEAWAY_TONE_TABLE
+namespace seaway::render {
+/// sRGB bytes of exposed radiance, by its root: the root spreads the steps so that none is larger
+/// than a third of a byte. Two more bytes than steps, for fetches of words.
+struct ToneTable {
+  static constexpr int steps = 8192;
+  static constexpr float perRoot = 2048.0f;  // up to 16, which is white
+  std::array<std::uint8_t, steps + 4> bytes{};
+};
+}  // namespace seaway::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace seaway::render {
+namespace HWY_NAMESPACE {
+namespace {
+
+using glm::vec2;
+using glm::vec3;
+
+/// Four neighbours of a texture coordinate and how far it is from the first.
+struct Corners {
+  VI at[4];
+  Real2 part;
+};
+
+/// `place` in texels, (0, 0) the first texel's centre; indices clamped to the edge.
+HWY_INLINE Corners clampedCorners(Real2 place, Real columns, Real rows, VI start) {
+  const Real x0 = clamp(floor(place.x), 0.0f, columns - 1.0f);
+  const Real y0 = clamp(floor(place.y), 0.0f, rows - 1.0f);
+  const Real x1 = min(x0 + 1.0f, columns - 1.0f), y1 = min(y0 + 1.0f, rows - 1.0f);
+  // Indices stay below 2²⁴: exact in float.
+  const VI low = hn::Add(start, toInt(y0 * columns)), high = hn::Add(start, toInt(y1 * columns));
+  const VI left = toInt(x0), right = toInt(x1);
+  return {{hn::Add(low, left), hn::Add(low, right), hn::Add(high, left), hn::Add(high, right)},
+          {clamp(place.x - x0, 0.0f, 1.0f), clamp(place.y - y0, 0.0f, 1.0f)}};
+}
+
+/// The same where the texture repeats; `side` a power of two.
+HWY_INLINE Corners wrappedCorners(Real2 place, Real side, VI start) {
+  const Real x0 = floor(place.x), y0 = floor(place.y);
+  const VI last = hn::Sub(toInt(side), setInt(1)), one = setInt(1);
+  const VI xi = toInt(x0), yi = toInt(y0);
+  const VI left = hn::And(xi, last), right = hn::And(hn::Add(xi, one), last);
+  const VI low = hn::Add(start, toInt(toReal(hn::And(yi, last)) * side));
+  const VI high = hn::Add(start, toInt(toReal(hn::And(hn::Add(yi, one), last)) * side));
+  return {{hn::Add(low, left), hn::Add(low, right), hn::Add(high, left), hn::Add(high, right)},
+          {place.x - x0, place.y - y0}};
+}
+
+HWY_INLINE Real3 skyTexel(VU word) {
+  // RGB9E5: mantissas times 2^(exponent − 24).
+  const VU exponent = hn::Add(hn::ShiftRight<27>(word), hn::Set(Words(), 127u - 24u));
+  const Real scale = hn::BitCast(Floats(), hn::ShiftLeft<23>(exponent));
+  return Real3(bitField<0, 9>(word), bitField<9, 9>(word), bitField<18, 9>(word)) * scale;
+}
+
+HWY_INLINE Real2 rippleTexel(VU word) {
+  const VI bits = hn::BitCast(Ints(), word);
+  return {toReal(hn::ShiftRight<16>(hn::ShiftLeft<16>(bits))), toReal(hn::ShiftRight<16>(bits))};
+}
+
+template <class Decode>
+HWY_INLINE Real3 bilinear(const std::uint32_t* texels, const Corners& c, Decode decode) {
+  return mix(mix(decode(gather(texels, c.at[0])), decode(gather(texels, c.at[1])), c.part.x),
+             mix(decode(gather(texels, c.at[2])), decode(gather(texels, c.at[3])), c.part.x),
+             c.part.y);
+}
+
+/// First texel and side of a level, `level` whole.
+struct Level {
+  VI start;
+  Real side;
+};
+HWY_INLINE Level levelOf(int side, Real level) {
+  const Floats f;
+  const VI exponent = hn::Sub(setInt(127), toInt(level));
+  const Real part = hn::BitCast(f, hn::ShiftLeft<23>(exponent));  // 2^−level
+  const Real here = part * Real(static_cast<float>(side));
+  // (side² − here²) · 4/3 is whole: rounding repairs the third.
+  const Real start = (Real(static_cast<float>(side * side)) - here * here) * Real(4.0f / 3.0f);
+  return {toInt(floor(start + 0.5f)), here};
+}
+
+struct PixelShader : ShadingConstants {
+  const std::uint32_t* skyTexels;
+  const ShadingTables& tables = shadingTables();
+
+  HWY_INLINE PixelShader(const ShadingConstants& constants, const std::uint32_t* texels)
+      : ShadingConstants(constants), skyTexels(texels) {}
+
+  HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
+    const Level l = levelOf(SkyDome::side, level);
+    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
+    return bilinear(skyTexels, clampedCorners(place, l.side, l.side, l.start),
+                    [](VU word) HWY_ATTR { return render::HWY_NAMESPACE::skyTexel(word); });
+  }
+  HWY_INLINE Real3 skyTexel(Real2 coordinate, Real level) const {
+    if (!skyIsOn) return Real3(skyLight);
+    const Real clamped = clamp(level, 0.0f, SkyDome::levels - 1.0f);
+    const Real low = floor(clamped), part = clamped - low;
+    const Real3 finer = skyAtLevel(coordinate, low);
+    if (!anyOf(part > 0.0f)) return finer;
+    const Real high = min(low + 1.0f, SkyDome::levels - 1.0f);
+    return mix(finer, skyAtLevel(coordinate, high), part);
+  }
+
+  HWY_INLINE Real3 rippleMoments(Real2 coordinate, Real level) const {
+    const Real clamped = clamp(level, 0.0f, rippleLastLevel), whole = floor(clamped);
+    const VI index = toInt(whole);
+    const Real here = gather(rippleKept, index);
+    const Real kept = mix(here, gather(rippleKept, hn::Add(index, setInt(1))), clamped - whole);
+    const Level l = levelOf(ShadingTables::rippleSide, whole);
+    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
+    const Corners c = wrappedCorners(place, l.side, l.start);
+    const auto texel = [&](int i) HWY_ATTR {
+      return rippleTexel(gather(tables.ripples.data(), c.at[i]));
+    };
+    const Real2 a = texel(0), low = a + (texel(1) - a) * c.part.x;
+    const Real2 b = texel(2), high = b + (texel(3) - b) * c.part.x;
+    const Real scale = sqrt(kept / max(here, 1e-6f)) * (ShadingTables::rippleSpan / 32767.0f);
+    const Real2 slope = (low + (high - low) * c.part.y) * scale;
+    return {slope.x, slope.y, kept};
+  }
+
+  HWY_INLINE Corners fresnelCorners(Real rootCosine, Real deviation) const {
+    constexpr int columns = ShadingTables::fresnelColumns, rows = ShadingTables::fresnelRows;
+    const float rowsPerSlope = (rows - 1) / static_cast<float>(fresnelTableRoughest);
+    return clampedCorners({rootCosine * Real(columns - 1.0f), deviation * Real(rowsPerSlope)},
+                          static_cast<float>(columns), static_cast<float>(rows), setInt(0));
+  }
+  HWY_INLINE Real2 roughMirror(Real rootCosine, Real deviation) const {
+    const Corners c = fresnelCorners(rootCosine, deviation);
+    const auto decode = [&](int i) HWY_ATTR {
+      const VU word = gather(tables.mirror.data(), c.at[i]);
+      return Real2(bitField<0, 16>(word), bitField<16, 16>(word));
+    };
+    const Real2 a = decode(0), b = decode(1), low = a + (b - a) * c.part.x;
+    const Real2 d = decode(2), e = decode(3), high = d + (e - d) * c.part.x;
+    return (low + (high - low) * c.part.y) * Real(1.0f / 65535.0f);
+  }
+  HWY_INLINE Real roughArea(Real rootCosine, Real deviation) const {
+    const Corners c = fresnelCorners(rootCosine, deviation);
+    const float* area = tables.area.data();
+    return mix(mix(gather(area, c.at[0]), gather(area, c.at[1]), c.part.x),
+               mix(gather(area, c.at[2]), gather(area, c.at[3]), c.part.x), c.part.y);
+  }
+
+#define SHADER HWY_INLINE
+#define INOUT(type) type&
+#include "render/shading/sea_shading.glsl.h"
+#undef SHADER
+#undef INOUT
+};
+
+HWY_INLINE Mask isKind(VU kinds, ShadedAs kind) {
+  const Words w;
+  return {hn::RebindMask(Floats(), hn::Eq(kinds, hn::Set(w, static_cast<std::uint32_t>(kind))))};
+}
+
+HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
+  const Floats f;
+  const Real index = hn::Iota(f, static_cast<float>(i));
+  const Real3 ray = Real3(span.firstRay) + Real3(span.rayStep) * index;
+  const Real rayLength = sqrt(dot(ray, ray));
+  const VU kinds = hn::Load(Words(), reinterpret_cast<const std::uint32_t*>(span.kind + i));
+  const Mask sky = isKind(kinds, ShadedAs::sky), water = isKind(kinds, ShadedAs::water);
+  const Mask underside = isKind(kinds, ShadedAs::underside);
+  const Mask object = isKind(kinds, ShadedAs::object);
+
+  Real3 radiance(0.0f, 0.0f, 0.0f);
+  if (anyOf(sky)) radiance = shader.skyPixel(ray / rayLength);
+  const Real axial = hn::Load(f, span.axial + i);
+  const Real3 relative = ray * axial;
+  const Real distance = rayLength * axial;
+  const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
+  if (anyOf(water)) {
+    radiance = choose(water,
+                      shader.waterRadiance(relative, distance, slope,
+                                           hn::Load(f, span.missingSlope + i),
+                                           hn::Load(f, span.height + i)),
+                      radiance);
+  }
+  if (anyOf(underside)) {
+    radiance = choose(underside, shader.undersideRadiance(relative, distance, slope), radiance);
+  }
+  if (anyOf(object)) {
+    const auto load = [&](const float (&from)[3][pixelsPerSpan]) HWY_ATTR {
+      return Real3(hn::Load(f, from[0] + i), hn::Load(f, from[1] + i), hn::Load(f, from[2] + i));
+    };
+    radiance = choose(
+        object, shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance)),
+        radiance);
+  }
+  return radiance;
+}
+
+void ShadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
+               const ToneTable& tones, const PixelSpan& span, std::uint8_t* rgb) {
+  const hn::Rebind<std::uint8_t, Floats> bytes;
+  const int lanes = static_cast<int>(laneCount());
+  PixelShader shader(constants, skyTexels);
+  alignas(64) std::uint8_t colours[3 * pixelsPerSpan + 3 * 64];
+  const auto encode = [&](Real radiance) HWY_ATTR {
+    const Real root = sqrt(max(radiance * shader.exposure, 0.0f)) * ToneTable::perRoot;
+    const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
+    const auto* from = reinterpret_cast<const std::int32_t*>(tones.bytes.data());
+    const VI word = hn::GatherOffset(Ints(), from, at);
+    return hn::DemoteTo(bytes, hn::And(word, setInt(255)));
+  };
+  for (int i = 0; i < span.count; i += lanes) {
+    const Real3 radiance = radianceAt(shader, span, i);
+    hn::StoreInterleaved3(encode(radiance.x), encode(radiance.y), encode(radiance.z), bytes,
+                          colours + 3 * i);
+  }
+  std::memcpy(rgb, colours, 3 * static_cast<std::size_t>(span.count));
+}
+
+void FillTones(ToneTable& tones) {
+  PixelShader shader(ShadingConstants{}, nullptr);
+  for (int i = 0; i < ToneTable::steps; ++i) {
+    const float root = static_cast<float>(i) / ToneTable::perRoot;
+    const Real3 shown = shader.filmic(Real3(glm::vec3(root * root)));
+    const double linear = hn::GetLane(shown.x.v);
+    const double encoded =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+    tones.bytes[i] = static_cast<std::uint8_t>(255.0 * encoded + 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace seaway::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace seaway::render {
+
+HWY_EXPORT(ShadeSpan);
+HWY_EXPORT(FillTones);
+
+void shadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
+               const PixelSpan& span, std::uint8_t* rgb) {
+  static const ToneTable tones = [] {
+    ToneTable made;
+    HWY_DYNAMIC_DISPATCH(FillTones)(made);
+    return made;
+  }();
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(constants, skyTexels, tones, span, rgb);
+}
+
+}  // namespace seaway::render
+#endif

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "render/shading/shading_constants.h"
+
+/// Shading on the processor, a vector of pixels at a time: sea_shading.glsl.h in C++.
+namespace seaway::render {
+
+/// How a pixel is shaded.
+enum class ShadedAs : std::uint32_t { sky = 0, water = 1, underside = 2, object = 3 };
+
+inline constexpr int pixelsPerSpan = 128;
+
+/// A piece of a picture's row, ready to be shaded: at most `pixelsPerSpan` pixels, arrays readable
+/// up to the next multiple of 16.
+struct PixelSpan {
+  int count = 0;
+  glm::vec3 firstRay{0.0f};  ///< from the camera through the first pixel's centre, as long as
+                             ///< 1 / the cosine to the view axis
+  glm::vec3 rayStep{0.0f};   ///< from one pixel to the next
+  alignas(64) ShadedAs kind[pixelsPerSpan];
+  alignas(64) float axial[pixelsPerSpan];  ///< axial distance, m; any finite value for sky
+  alignas(64) float slopeX[pixelsPerSpan], slopeY[pixelsPerSpan];
+  alignas(64) float missingSlope[pixelsPerSpan], height[pixelsPerSpan];
+  /// Read only where `hasObjects`: normal and reflectance.
+  bool hasObjects = false;
+  alignas(64) float normal[3][pixelsPerSpan], reflectance[3][pixelsPerSpan];
+};
+
+/// sRGB colours of a span's pixels, 3 bytes each. `skyTexels` as SkyDome::texels, null where the
+/// sky is switched off. Pixels do not depend on their place in the span.
+void shadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
+               const PixelSpan& span, std::uint8_t* rgb);
+
+}  // namespace seaway::render

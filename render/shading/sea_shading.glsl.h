@@ -1,0 +1,198 @@
+// Shading of sea, sky and objects: one text that GLSL and C++ compile.
+//
+// `Real`, `Real2`, `Real3` are values that differ between pixels, `float`, `vec2`, `vec3` values
+// that are the same for all of them (members of ShadingConstants, uniforms in GLSL). In GLSL both
+// are the same types (shading_prelude.glsl); in C++ Real is a vector of pixels (lanes-inl.h) and
+// this text is the inside of a class. It keeps to what both understand: no swizzles, `choose`
+// instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, roughMirror and
+// roughArea.
+
+// Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
+SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
+
+SHADER Real3 blurredSky(Real3 direction, Real level) {
+  Real upwards = 1.0f + max(direction.z, 0.0f);
+  Real2 dome = Real2(direction.x, direction.y) / upwards * 0.5f + Real2(0.5f, 0.5f);
+  return skyTexel(dome, level);
+}
+
+SHADER Real2 levelDirection(Real3 direction) {
+  Real2 level = Real2(direction.x + 1e-6f, direction.y);
+  return level * inversesqrt(max(dot(level, level), 1e-12f));
+}
+
+// Sky just above the horizon: skyRadiance of atmosphere.glsl.h with all that does not depend on
+// the direction worked out.
+SHADER Real3 horizonSky(Real3 direction) {
+  Real cosine = dot(levelDirection(direction), Real2(levelSun.x, levelSun.y));
+  Real forwards = max(aerosolShape.x - aerosolShape.y * cosine, 1e-3f);
+  return horizonOften + horizonRayleigh * (1.0f + cosine * cosine) +
+         horizonAerosol / (forwards * sqrt(forwards));
+}
+
+// Air puts the sky just above the horizon in front of everything far away.
+SHADER Real3 hazed(Real3 colour, Real3 direction, Real distance) {
+  return mix(horizonSky(direction), colour, exp(-airExtinction * distance));
+}
+
+SHADER Real3 throughWater(Real3 colour, Real distance) {
+  Real3 clear = Real3(exp(-waterExtinction.x * distance), exp(-waterExtinction.y * distance),
+                      exp(-waterExtinction.z * distance));
+  return mix(Real3(veil), colour, clear);
+}
+
+// Unpolarised reflectance; 1 where all is reflected.
+SHADER Real fresnel(Real cosine, float index) {
+  Real sineSquared = (1.0f - cosine * cosine) / (index * index);
+  Real refracted = sqrt(max(1.0f - sineSquared, 0.0f));
+  Real a = (cosine - index * refracted) / (cosine + index * refracted);
+  Real b = (index * cosine - refracted) / (index * cosine + refracted);
+  return choose(sineSquared >= 1.0f, Real(1.0f), 0.5f * (a * a + b * b));
+}
+
+// Disc and glare about it. Angles are small where either shows: chord for arc.
+SHADER Real3 sunDisc(Real3 direction) {
+  Real3 off = direction - Real3(sunDirection);
+  Real squared = dot(off, off);
+  Real3 disc = Real3(0.0f, 0.0f, 0.0f);
+  if (anyOf(squared < 0.16f)) {
+    Real angle = sqrt(squared);
+    Real sharp = 1.0f - smoothstep(0.0052f, 0.0068f, angle);
+    Real glare = 0.012f * exp(-22.0f * angle) + 0.10f * exp(-120.0f * angle);
+    disc = Real3(sunLight) * (6.0f * sharp + glare);
+  }
+  return disc;
+}
+
+SHADER Real3 skyRadianceSeen(Real3 direction) {
+  return blurredSky(direction, Real(0.0f)) + sunDisc(direction);
+}
+
+// Adds ripples finer than the field to the slope; what the pixel cannot show of them is returned
+// as mean-square slope.
+SHADER Real addRipples(Real3 relative, Real distance, Real cosine, INOUT(Real2) slope) {
+  Real left = Real(0.0f);
+  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(cosine, 0.02f));
+  for (int i = 0; i < 2; ++i) {
+    Real level = log2(max(footprint * rippleTexelsPerMetre[i], 1e-6f));
+    Real3 moments = Real3(0.0f, 0.0f, 0.0f);
+    if (anyOf(level < rippleLastLevel)) {
+      vec2 x = rippleFromWorld[2 * i];
+      vec2 y = rippleFromWorld[2 * i + 1];
+      moments = rippleMoments(Real2(rippleOrigin[i].x + x.x * relative.x + y.x * relative.y,
+                                    rippleOrigin[i].y + x.y * relative.x + y.y * relative.y),
+                              level);
+    }
+    vec2 along = rippleAlong[i];
+    slope = slope + rippleDeviation * Real2(along.x * moments.x - along.y * moments.y,
+                                            along.y * moments.x + along.x * moments.y);
+    left = left + rippleDeviation * rippleDeviation * max(1.0f - moments.z, 0.0f);
+  }
+  return left;
+}
+
+// Sun mirrored by facets of Gaussian slopes (Cox & Munk's picture): irradiance × Fresnel × density
+// of the slope that mirrors, over 4 cos⁴ of its tilt and the area the viewer sees.
+SHADER Real3 glitter(Real3 toViewer, Real2 slope, Real variance, Real rootCosine) {
+  Real3 halfway = toViewer + Real3(sunDirection);
+  halfway = halfway * inversesqrt(max(dot(halfway, halfway), 1e-12f));
+  Real tall = max(halfway.z, 1e-3f);
+  Real offX = -halfway.x / tall - slope.x;
+  Real offY = -halfway.y / tall - slope.y;
+  // The sun is half a degree wide; that alone spreads the slopes that mirror it.
+  Real spread = variance + 1.2e-5f;
+  Real exponent = -0.5f * (offX * offX + offY * offY) / spread;
+  Real3 mirrored = Real3(0.0f, 0.0f, 0.0f);
+  if (anyOf(exponent > -16.0f)) {
+    Real density = exp(max(exponent, -60.0f)) / (6.2831853f * spread);
+    Real deviation = sqrt(variance);
+    Real area = roughArea(rootCosine, deviation);
+    Real sunArea = roughArea(Real(rootSunHeight), deviation);
+    Real lit = min(max(sunDirection.z, 0.0f) / max(sunArea, 1e-3f), 1.0f);
+    Real cosine = max(dot(toViewer, halfway), 0.0f);
+    Real strength = lit * fresnel(cosine, 1.34f) * density / (4.0f * tall * tall * tall * tall * max(area, 0.02f));
+    mirrored = Real3(sunLight) * choose(halfway.z > 1e-3f, strength, Real(0.0f));
+  }
+  return mirrored;
+}
+
+// Light that comes back out of the water. Thin crests let light through where the viewer looks at
+// them from the side, most towards the sun.
+SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height) {
+  Real crest = clamp(0.5f + height * crestScale, 0.0f, 1.5f);
+  Real tilt = -(slope.x * toViewer.x + slope.y * toViewer.y);
+  Real face = clamp(0.2f + 1.6f * tilt, 0.0f, 1.0f) * (1.0f - toViewer.z);
+  Real against = max(-(toViewer.x * sunDirection.x + toViewer.y * sunDirection.y), 0.0f);
+  return Real3(deepWater) +
+         crest * crest * face * (Real3(crestSky) + against * against * Real3(crestSun));
+}
+
+SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real missingSlope,
+                           Real height) {
+  Real3 toViewer = -relative / distance;
+  Real2 slope = waveSlope;
+  Real upright = inversesqrt(1.0f + dot(slope, slope));
+  Real first = upright * (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
+  Real meanSquare = missingSlope + hairSlope;
+  if (ripplesAreOn) {
+    meanSquare = meanSquare + addRipples(relative, distance, max(first, 0.0f), slope);
+  }
+  // Where the mean slope faces away, what is seen are facets that do not.
+  Real2 towards = levelDirection(toViewer);
+  Real facing = toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y;
+  Real level = sqrt(max(1.0f - toViewer.z * toViewer.z, 0.01f));
+  slope = slope + towards * (min(facing, 0.0f) / level);
+  upright = inversesqrt(1.0f + dot(slope, slope));
+  Real variance = 0.5f * meanSquare;  // along one axis
+  Real cosine = max(max(facing, 0.0f) * upright, 0.0f);
+  Real rootCosine = sqrt(cosine);
+  Real deviation = sqrt(variance);
+  Real2 rough = roughMirror(rootCosine, deviation);
+
+  Real2 leaned = slope - towards * rough.y;
+  Real3 tilted = Real3(-leaned.x, -leaned.y, Real(1.0f));
+  tilted = tilted * inversesqrt(dot(tilted, tilted));
+  Real3 mirrored = tilted * (2.0f * dot(tilted, toViewer)) - toViewer;
+  mirrored.z = abs(mirrored.z);  // a ray that starts downwards is mirrored once more
+  Real3 sky = blurredSky(mirrored, blurLevel(deviation));
+
+  Real3 colour = mix(upwelling(toViewer, slope, height), sky, rough.x);
+  if (sunIsOn) colour = colour + glitter(toViewer, slope, variance, rootCosine);
+  return hazed(colour, -toViewer, distance);
+}
+
+// The surface from below: the sky through Snell's window, the deep around it.
+SHADER Real3 undersideRadiance(Real3 relative, Real distance, Real2 slope) {
+  Real3 direction = relative / distance;
+  Real upright = inversesqrt(1.0f + dot(slope, slope));
+  Real3 normal = Real3(slope.x, slope.y, Real(-1.0f)) * upright;  // downwards
+  Real cosine = max(-dot(normal, direction), 0.0f);
+  Real inside = 1.0f - 1.34f * 1.34f * (1.0f - cosine * cosine);
+  Real3 refracted = direction * 1.34f + normal * (1.34f * cosine - sqrt(max(inside, 0.0f)));
+  Real3 above = choose(inside > 0.0f, blurredSky(refracted, Real(3.0f)) + 0.15f * sunDisc(refracted),
+                       Real3(0.0f, 0.0f, 0.0f));
+  return throughWater(mix(above, Real3(veil), fresnel(cosine, 1.0f / 1.34f)), distance);
+}
+
+SHADER Real3 skyPixel(Real3 direction) {
+  Real3 seen = Real3(veil);
+  if (!cameraIsUnderWater) seen = skyRadianceSeen(direction);
+  return seen;
+}
+
+SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 reflectance) {
+  Real3 upper = Real3(normal.x, normal.y, normal.z + 1.2f);
+  Real3 ambient = blurredSky(upper * inversesqrt(max(dot(upper, upper), 1e-12f)), Real(7.0f));
+  Real3 light = mix(Real3(0.06f * skyLight), ambient, 0.5f + 0.5f * normal.z) +
+                Real3(sunLight) * (max(dot(normal, Real3(sunDirection)), 0.0f) * 0.31830989f);
+  Real3 colour = reflectance * light;
+  if (cameraIsUnderWater) colour = throughWater(colour, distance);
+  if (!cameraIsUnderWater) colour = hazed(colour, relative / distance, distance);
+  return colour;
+}
+
+// Narkowicz' fit of the ACES curve, [0, 1].
+SHADER Real3 filmic(Real3 radiance) {
+  Real3 x = radiance * exposure;
+  return clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+}

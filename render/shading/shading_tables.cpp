@@ -1,0 +1,74 @@
+#include "render/shading/shading_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/packing.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/fresnel.h"
+#include "render/ripples.h"
+
+namespace seaway::render {
+namespace {
+
+std::uint32_t quantised(float value, float least, float most, std::uint32_t steps) {
+  const float part = std::clamp((value - least) / (most - least), 0.0f, 1.0f);
+  return static_cast<std::uint32_t>(part * static_cast<float>(steps) + 0.5f);
+}
+
+void addFresnel(ShadingTables& tables) {
+  for (const glm::vec4& entry :
+       fresnelTable(ShadingTables::fresnelColumns, ShadingTables::fresnelRows)) {
+    tables.mirror.push_back(quantised(entry.x, 0.0f, 1.0f, 65535u) |
+                            quantised(entry.y, 0.0f, 1.0f, 65535u) << 16);
+    tables.area.push_back(entry.z);
+  }
+}
+
+void addRipples(ShadingTables& tables) {
+  constexpr float span = ShadingTables::rippleSpan;
+  std::vector<glm::vec3> image = rippleTexture(ShadingTables::rippleSide);
+  int side = ShadingTables::rippleSide;
+  for (int level = 0; level < ShadingTables::rippleLevels; ++level, side /= 2) {
+    const float kept = level + 1 < ShadingTables::rippleLevels ? 1.0f : 0.0f;
+    double squares = 0.0;
+    for (const glm::vec3& moments : image) {
+      const glm::vec2 slope = kept * glm::vec2(moments);
+      squares += glm::dot(slope, slope);
+      tables.ripples.push_back(glm::packSnorm2x16(slope / span));
+    }
+    tables.rippleKept[level] = static_cast<float>(squares / static_cast<double>(image.size()));
+    std::vector<glm::vec3> half;
+    for (int y = 0; y < side; y += 2) {
+      for (int x = 0; x < side; x += 2) {
+        const glm::vec3* at = &image[static_cast<std::size_t>(y) * side + x];
+        half.push_back(0.25f * (at[0] + at[1] + at[side] + at[side + 1]));
+      }
+    }
+    image.swap(half);
+  }
+}
+
+}  // namespace
+
+const ShadingTables& shadingTables() {
+  static const ShadingTables tables = [] {
+    ShadingTables made;
+    addFresnel(made);
+    addRipples(made);
+    return made;
+  }();
+  return tables;
+}
+
+std::size_t ShadingTables::memoryBytes() const {
+  return (mirror.size() + area.size() + ripples.size()) * sizeof(std::uint32_t);
+}
+
+glm::vec2 unpackRipple(std::uint32_t texel) {
+  return glm::unpackSnorm2x16(texel) * ShadingTables::rippleSpan;
+}
+
+}  // namespace seaway::render

@@ -1,0 +1,53 @@
+#include "render/shading/sky_dome.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "render/shading/sky_kernels.h"
+
+namespace seaway::render {
+namespace {
+
+using Image = std::vector<glm::vec3>;
+
+Image halved(const Image& image, int side) {
+  Image result(static_cast<std::size_t>(side / 2) * (side / 2));
+  for (int y = 0; y < side / 2; ++y) {
+    const glm::vec3* above = &image[static_cast<std::size_t>(2 * y) * side];
+    const glm::vec3* below = above + side;
+    for (int x = 0; x < side / 2; ++x) {
+      result[static_cast<std::size_t>(y) * (side / 2) + x] =
+          0.25f * (above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1]);
+    }
+  }
+  return result;
+}
+
+glm::vec3 rounded(glm::vec3 direction) {
+  return glm::normalize(glm::round(direction * 1000.0f) + glm::vec3(0.0f, 0.0f, 1e-3f));
+}
+
+}  // namespace
+
+void SkyDome::drawFor(glm::vec3 sunDirection) {
+  const glm::vec3 sun = rounded(sunDirection);
+  if (version_ > 0 && sun == drawnFor_) return;
+  Image image(static_cast<std::size_t>(side) * side);
+  tbb::parallel_for(0, side, [&](int row) {
+    drawSkyRow(sun, row, side, &image[static_cast<std::size_t>(row) * side].x);
+  });
+  texels_.clear();
+  for (int size = side; size >= 1; size /= 2) {
+    for (const glm::vec3& colour : image) texels_.push_back(glm::packF3x9_E1x5(colour));
+    if (size == 1) mean_ = image.front();
+    if (size > 1) image = halved(image, size);
+  }
+  drawnFor_ = sun;
+  ++version_;
+}
+
+}  // namespace seaway::render

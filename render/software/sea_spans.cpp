@@ -1,0 +1,188 @@
+#include "render/software/sea_spans.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/constants.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/software/sea_spans.cpp"
+#include "hwy/foreach_target.h"
+#include "render/shading/lanes-inl.h"
+
+#ifndef SEAWAY_SPAN_INPUT
+#define SEAWAY_SPAN_INPUT
+namespace seaway::render {
+struct SpanInput {
+  const float* inverse;
+  const std::uint32_t* packed;
+  const float* missing;
+  glm::ivec2 size;
+  Projector::GridFromPlane grid;
+  float cameraHeight, pixelAngle;
+  bool cameraIsUnderWater;
+};
+}  // namespace seaway::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace seaway::render {
+namespace HWY_NAMESPACE {
+namespace {
+
+constexpr float perStep = SeaSlopes::steepest / 32767.0f;
+
+/// Column and row of a place in the grid, and how many of them a metre across and ahead crosses.
+struct GridPlace {
+  Real column, row, columnsPerMetre, rowsPerMetre;
+};
+
+HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
+  const Projector::GridFromPlane& g = in.grid;
+  // Doubles become floats as they meet vectors: places lie near enough to the camera.
+  const Real offX = relative.x - g.foot.x, offY = relative.y - g.foot.y;
+  const Real along = offX * g.azimuth.x + offY * g.azimuth.y;
+  const Real across = offX * g.azimuth.y - offY * g.azimuth.x;
+  const Real axial = max(along * g.cosine + g.heightSine, 1e-6f);
+  const Real perAxial = Real(1.0f) / axial;
+  const Real v = ((along * g.sine - g.heightCosine) * perAxial - g.leastY) * g.perY;
+  // asinh by its logarithm, odd.
+  const Real s = (along - g.back) * g.perScale, size = abs(s);
+  const Real root = sqrt(size * size + 1.0f);
+  const Real half = exactLog2(size + root) * Real(0.69314718f);
+  const Real logarithm = choose(s < 0.0f, -half, half);
+  const Real share = v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
+  const float columns = in.size.x - 1.0f, rows = in.size.y - 1.0f;
+  // dv/d along = (height/axial)²-like: sine·axial − cosine·(along·sine − heightCosine), a constant.
+  const double turn = g.heightSine * g.sine + g.heightCosine * g.cosine;
+  const Real slope = perAxial * perAxial * (turn * g.perY * (1.0f - g.logarithmic)) +
+                     Real(static_cast<float>(g.perScale * g.perLog * g.logarithmic)) / root;
+  return {(across * perAxial - g.leastX) * (g.perX * columns), share * rows,
+          perAxial * (g.perX * columns), slope * rows};
+}
+
+HWY_INLINE Real2 slopeOf(VU word) {
+  const VI x = hn::ShiftRight<16>(hn::ShiftLeft<16>(hn::BitCast(Ints(), word)));
+  const VI y = hn::ShiftRight<16>(hn::BitCast(Ints(), word));
+  return Real2(toReal(x), toReal(y)) * Real(perStep);
+}
+
+struct Slope {
+  Real2 mean;
+  Real withinPixel;  // mean square of what changes within a pixel
+  Real missing;
+};
+
+HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footprint,
+                         Real footprintAhead) {
+  const Real column = clamp(place.column, 0.0f, in.size.x - 1.0f);
+  const Real row = clamp(place.row, 0.0f, in.size.y - 1.0f);
+  const Real left = min(floor(column), in.size.x - 2.0f);
+  const Real near = min(floor(row), in.size.y - 2.0f);
+  const Real u = column - left, v = row - near;
+  const VI nearIndex = toInt(near);
+  const VI at = hn::Add(hn::Mul(nearIndex, setInt(in.size.x)), toInt(left));
+  const VI beyond = hn::Add(at, setInt(in.size.x)), one = setInt(1);
+  const Real2 a = slopeOf(gather(in.packed, at)), b = slopeOf(gather(in.packed, hn::Add(at, one)));
+  const Real2 c = slopeOf(gather(in.packed, beyond));
+  const Real2 d = slopeOf(gather(in.packed, hn::Add(beyond, one)));
+  const Real2 low = a + (b - a) * u, high = c + (d - c) * u;
+  // Slope that changes within a pixel is roughness to that pixel; as sharp normals it would
+  // sparkle. Farther apart than a few cells, differences of neighbours tell no more.
+  const Real2 ahead = (high - low) * min(footprintAhead * place.rowsPerMetre, 3.0f);
+  const Real2 across = ((b - a) + ((d - c) - (b - a)) * v) *
+                       min(footprint * place.columnsPerMetre, 3.0f);
+  const Real missingNear = gather(in.missing, nearIndex);
+  const Real missingFar = gather(in.missing, hn::Add(nearIndex, one));
+  return {low + (high - low) * v,
+          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
+          mix(missingNear, missingFar, v)};
+}
+
+void FillSpan(const SpanInput& in, PixelSpan& span) {
+  const Floats f;
+  const int lanes = static_cast<int>(laneCount());
+  for (int i = 0; i < span.count; i += lanes) {
+    const Real inverse = hn::LoadU(f, in.inverse + i);
+    const Mask water = inverse > 0.0f;
+    const Words w;
+    const auto kindOf = [&](ShadedAs kind) HWY_ATTR {
+      return hn::Set(w, static_cast<std::uint32_t>(kind));
+    };
+    auto* kinds = reinterpret_cast<std::uint32_t*>(span.kind + i);
+    if (!anyOf(water)) {
+      hn::Store(kindOf(ShadedAs::sky), w, kinds);
+      hn::Store(hn::Set(f, 1.0f), f, span.axial + i);
+      continue;
+    }
+    const Real axial = choose(water, exactQuotient(1.0f, inverse), 1.0f);
+    const Real index = hn::Iota(f, static_cast<float>(i));
+    const Real3 ray = Real3(span.firstRay) + Real3(span.rayStep) * index;
+    const Real3 relative = ray * axial;
+    const Real level = relative.x * relative.x + relative.y * relative.y;
+    const Real footprint = axial * Real(in.pixelAngle);
+    const Real distance = sqrt(level + relative.z * relative.z);
+    const Real grazing = clamp(abs(relative.z) / distance, 0.01f, 1.0f);
+    const Slope slope = slopeAt(in, gridPlace(in, {relative.x, relative.y}), footprint,
+                                footprint / grazing);
+    const Real height =
+        relative.z + in.cameraHeight + level * static_cast<float>(0.5 / earthMeanRadius);
+    VU kind = kindOf(ShadedAs::water);
+    if (in.cameraIsUnderWater) {
+      const Mask below = ray.z - ray.x * slope.mean.x - ray.y * slope.mean.y > Real(0.0f);
+      kind = hn::IfThenElse(hn::RebindMask(w, below.m), kindOf(ShadedAs::underside), kind);
+    }
+    hn::Store(hn::IfThenElse(hn::RebindMask(w, water.m), kind, kindOf(ShadedAs::sky)), w, kinds);
+    hn::Store(axial.v, f, span.axial + i);
+    hn::Store(slope.mean.x.v, f, span.slopeX + i);
+    hn::Store(slope.mean.y.v, f, span.slopeY + i);
+    hn::Store((slope.missing + slope.withinPixel).v, f, span.missingSlope + i);
+    hn::Store(height.v, f, span.height + i);
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace seaway::render
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace seaway::render {
+
+HWY_EXPORT(FillSpan);
+
+void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
+  gridFromPlane_ = layout.fromPlane;
+  size_ = grid.size();
+  missing_ = grid.missingSlope().data();
+  packed_.resize(grid.vertexCount());
+  tbb::parallel_for(0, size_.y, [&](int row) {
+    const std::size_t first = static_cast<std::size_t>(row) * size_.x;
+    const auto steps = [](float slope) {
+      const float kept = std::clamp(slope, -steepest, steepest) * (32767.0f / steepest);
+      return static_cast<std::uint32_t>(static_cast<std::int32_t>(kept + (kept < 0 ? -0.5f : 0.5f)));
+    };
+    for (std::size_t i = first; i < first + size_.x; ++i) {
+      packed_[i] = (steps(grid.slopeX()[i]) & 0xFFFFu) | steps(grid.slopeY()[i]) << 16;
+    }
+  });
+}
+
+void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
+                         PixelSpan& span) const {
+  const double pixelAngle = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
+  const SpanInput input{inverse,
+                        packed_.data(),
+                        missing_,
+                        size_,
+                        gridFromPlane_,
+                        static_cast<float>(camera.position.z),
+                        static_cast<float>(pixelAngle),
+                        cameraIsUnderWater};
+  HWY_DYNAMIC_DISPATCH(FillSpan)(input, span);
+}
+
+}  // namespace seaway::render
+#endif

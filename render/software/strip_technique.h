@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/lighting_decision.h"
+#include "render/render_technique.h"
+#include "render/software/object_triangles.h"
+#include "render/software/raster.h"
+
+namespace seaway::render {
+
+/// A technique that draws on the processor alone, in strips of the picture that threads share:
+/// objects, shading and smoothing. How the sea gets into the strips is left to those who derive.
+class StripTechnique : public RenderTechnique {
+ public:
+  void drawInto(const View& view, Frame& frame) final;
+
+ protected:
+  /// Gets ready to draw the sea; false where there is none. Notes the variant and what is known of
+  /// vertices in `stats`.
+  virtual bool placeSea(const View& view, FrameStats& stats) = 0;
+  /// Puts 1/axial distance of the sea into a cleared strip. Called from several threads.
+  virtual void rasterSea(const View& view, Strip& strip) = 0;
+  /// Fills kind, distance, slopes and height of a span of row `row` from pixel `first` on, whose
+  /// rays are set. Called from several threads.
+  virtual void fillSeaSpan(const View& view, const float* inverse, int row, int first,
+                           bool underWater, PixelSpan& span) const = 0;
+  virtual std::size_t seaMemoryBytes() const = 0;
+
+ private:
+  void raster(const View& view, const Shown& shown);
+  void shade(const View& view, const Shown& shown, const Lighting& lighting, Frame& frame) const;
+  void shadeRow(const View& view, const ShadingConstants& constants, const Shown& shown, int row,
+                Frame& frame) const;
+
+  ObjectTriangles objects_;
+  std::vector<Strip> strips_;
+  std::optional<SkyDome> sky_;
+};
+
+}  // namespace seaway::render

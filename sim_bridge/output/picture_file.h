@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+
+#include "render/frame.h"
+
+namespace seaway::bridge {
+
+/// Throws InputError unless `path` ends in .png (in any case) and can be written.
+void requireWritablePicture(const std::filesystem::path& path);
+
+/// render::writePng, leaving nothing behind when a signal ends the program.
+void writePicture(const std::filesystem::path& path, const render::ColourImage& image);
+
+/// Throws std::runtime_error where the machine, the process's limits or its control group leave too
+/// little memory to draw a picture of `size` pixels: 160 MB and 64 bytes a pixel (measured in
+/// software: 130 MB and 45 to 52 bytes, 256² to 3072² pixels). To be asked before the work: a
+/// system that lends more memory than it has kills instead of refusing.
+void requireMemoryForPicture(glm::ivec2 size);
+
+}  // namespace seaway::bridge
