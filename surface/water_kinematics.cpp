@@ -38,8 +38,8 @@ WaterKinematics invalid(double surface, SampleStatus status) {
   return {surface, glm::dvec3(nan), glm::dvec3(nan), nan, nan, status};
 }
 
-/// What a point is given where the surface above it is `sample`: a height to stretch, or what forbids
-/// kinematics there.
+/// What a point is given where the surface above it is `sample`: a height to stretch, or what
+/// forbids kinematics there.
 WaterKinematics under(const SurfaceSample& sample, const WaveField& waves,
                       const glm::dvec3& point) noexcept {
   const double depth = waves.settings().depth;
@@ -69,8 +69,7 @@ void add(const GroupOctave& octave, const WaveField& waves, const glm::dvec3& po
                          stretchedHeight(point.z, sum.surfaceHeight, depth));
   const glm::dvec2 along = omega * decay.horizontal * octave.direction();
   sum.velocity += glm::dvec3(along * part.height, rate * decay.vertical);
-  sum.acceleration +=
-      glm::dvec3(along * rate, -omega * omega * part.height * decay.vertical);
+  sum.acceleration += glm::dvec3(along * rate, -omega * omega * part.height * decay.vertical);
   sum.dynamicPressure += weightDensity * part.height * decay.pressure;
 }
 
@@ -127,7 +126,8 @@ void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
     if (disturbances) {
       for (const VesselWaves& wake : disturbances->wakes()) {
         if (options.excludeVessel != 0 && wake.vessel == options.excludeVessel) continue;
-        add(*disturbances, wake, waves.settings().depth, now.time(), points[i], stretched[i], out[i]);
+        add(*disturbances, wake, waves.settings().depth, now.time(), points[i], stretched[i],
+            out[i]);
       }
     }
     out[i].pressure = out[i].dynamicPressure - weightDensity * points[i].z;

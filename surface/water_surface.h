@@ -15,9 +15,9 @@ namespace seaway {
 /// What disturbs a sea, as WakeSystem publishes it.
 using DisturbanceFeed = Published<DisturbanceState>;
 
-/// The water surface prepared for one time: what to ask for many queries of few points at that time.
-/// Refers to the surface it comes from, which must outlive it, and holds the disturbances of the
-/// moment it was made. Const calls are thread-safe and allocate nothing.
+/// The water surface prepared for one time: what to ask for many queries of few points at that
+/// time. Refers to the surface it comes from, which must outlive it, and holds the disturbances of
+/// the moment it was made. Const calls are thread-safe and allocate nothing.
 class SurfaceAtTime {
  public:
   explicit SurfaceAtTime(FieldAtTime waves,
@@ -73,8 +73,8 @@ class WaterSurface {
 
   const WaveField& waves() const { return waves_; }
 
-  /// Adds what `feed` publishes to the waves from now on (WakeSystem::feed); null: nothing. Not while
-  /// others sample.
+  /// Adds what `feed` publishes to the waves from now on (WakeSystem::feed); null: nothing. Not
+  /// while others sample.
   void setDisturbances(std::shared_ptr<const DisturbanceFeed> feed) { feed_ = std::move(feed); }
   /// Published last; null where nothing disturbs the waves.
   std::shared_ptr<const DisturbanceState> disturbances() const noexcept {
@@ -92,7 +92,8 @@ class WaterSurface {
     if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
   }
 
-  SurfaceSample sample(glm::dvec2 point, double t, const SampleOptions& options = {}) const noexcept {
+  SurfaceSample sample(glm::dvec2 point, double t,
+                       const SampleOptions& options = {}) const noexcept {
     SurfaceSample result;
     sample(std::span(&point, 1), t, std::span(&result, 1), options);
     return result;

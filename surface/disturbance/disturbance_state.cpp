@@ -47,41 +47,53 @@ struct WakeTile {
   alignas(64) PointSums sums[pointsPerTile];
   SampleStatus status[pointsPerTile];
   std::size_t count = 0;
+  glm::dvec2 lower{0.0}, upper{0.0};  // of the points that are not NaN
 
-  void clear(std::size_t points) {
+  void begin(std::size_t points) {
     count = points;
+    lower = glm::dvec2(std::numeric_limits<double>::infinity());
+    upper = -lower;
     std::fill(sums, sums + count, PointSums{});
     std::fill(status, status + count, SampleStatus::ok);
   }
-  /// Whether any point may lie within `half` of `centre` along both axes.
+  void put(std::size_t i, double px, double py) {
+    x[i] = px, y[i] = py;
+    lower = {px < lower.x ? px : lower.x, py < lower.y ? py : lower.y};
+    upper = {px > upper.x ? px : upper.x, py > upper.y ? py : upper.y};
+  }
   bool meets(glm::dvec2 centre, double half) const {
-    double nearestX = half, nearestY = half;
+    return lower.x < centre.x + half && upper.x > centre.x - half && lower.y < centre.y + half &&
+           upper.y > centre.y - half;
+  }
+  bool liesWithin(glm::dvec2 centre, double half) const {
+    return lower.x > centre.x - half && upper.x < centre.x + half && lower.y > centre.y - half &&
+           upper.y < centre.y + half;
+  }
+  bool within(std::size_t i, glm::dvec2 centre, double half) const {
+    return std::abs(x[i] - centre.x) < half && std::abs(y[i] - centre.y) < half;
+  }
+  void mark(SampleStatus bits, glm::dvec2 centre, double half) {
     for (std::size_t i = 0; i < count; ++i) {
-      nearestX = std::min(nearestX, std::abs(x[i] - centre.x));
-      nearestY = std::min(nearestY, std::abs(y[i] - centre.y));
+      if (within(i, centre, half)) status[i] |= bits;
     }
-    return nearestX < half && nearestY < half;
   }
 };
-
-bool within(const WakeTile& tile, std::size_t i, glm::dvec2 centre, double half) {
-  return std::abs(tile.x[i] - centre.x) < half && std::abs(tile.y[i] - centre.y) < half;
-}
 
 void addWake(const VesselWaves& waves, double t, SheetQuantities what, SampleStatus timeStatus,
              WakeTile& tile) {
   const WakeSheet& widest = waves.sheets.back();
-  if (!tile.meets(widest.centre, 0.5 * widest.size())) return;
+  const double reach = 0.5 * widest.size();
+  if (!tile.meets(widest.centre, reach)) return;
+  if (timeStatus != SampleStatus::ok) tile.mark(timeStatus, widest.centre, reach);
   for (const WakeSheet& sheet : waves.sheets) {
     const SheetSampling sampling = samplingOf(sheet, t);
     const bool still = what == SheetQuantities::orbital && !sampling.potentialBefore;
     addSheet(sampling, still ? SheetQuantities::surface : what, tile.x, tile.y, tile.count,
              tile.sums);
+    if (still) tile.mark(SampleStatus::noKinematics, widest.centre, reach);
+    if (tile.liesWithin(sheet.centre, sheet.interior())) continue;
     for (std::size_t i = 0; i < tile.count; ++i) {
-      if (!within(tile, i, widest.centre, 0.5 * widest.size())) continue;
-      tile.status[i] |= timeStatus;
-      if (still) tile.status[i] |= SampleStatus::noKinematics;
-      if (!within(tile, i, sheet.centre, sheet.interior())) {
+      if (tile.within(i, widest.centre, reach) && !tile.within(i, sheet.centre, sheet.interior())) {
         tile.status[i] |= SampleStatus::wakePartial;
       }
     }
@@ -115,10 +127,9 @@ void DisturbanceState::addTo(std::span<const glm::dvec2> points, double t,
   const glm::dvec2 drift = water_.current * t;
   WakeTile tile;
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
-    tile.clear(std::min(pointsPerTile, points.size() - first));
+    tile.begin(std::min(pointsPerTile, points.size() - first));
     for (std::size_t i = 0; i < tile.count; ++i) {
-      tile.x[i] = points[first + i].x - drift.x;
-      tile.y[i] = points[first + i].y - drift.y;
+      tile.put(i, points[first + i].x - drift.x, points[first + i].y - drift.y);
     }
     for (const VesselWaves& waves : wakes_) {
       const bool own = options.excludeVessel != 0 && waves.vessel == options.excludeVessel;
@@ -151,10 +162,9 @@ void DisturbanceState::addTo(std::span<const double> x, std::span<const double> 
   const glm::dvec2 drift = water_.current * t;
   WakeTile tile;
   for (std::size_t first = 0; first < x.size(); first += pointsPerTile) {
-    tile.clear(std::min(pointsPerTile, x.size() - first));
+    tile.begin(std::min(pointsPerTile, x.size() - first));
     for (std::size_t i = 0; i < tile.count; ++i) {
-      tile.x[i] = x[first + i] - drift.x;
-      tile.y[i] = y[first + i] - drift.y;
+      tile.put(i, x[first + i] - drift.x, y[first + i] - drift.y);
     }
     for (const VesselWaves& waves : wakes_) {
       const bool own = options.excludeVessel != 0 && waves.vessel == options.excludeVessel;

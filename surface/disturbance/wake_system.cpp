@@ -152,6 +152,7 @@ bool WakeSystem::advance(Vessel& vessel, double t) {
   if (vessel.log.movedBetween(known - 1.0, known)) return changed;
   double energy = 0.0;
   for (LevelWake& wake : vessel.wakes) energy += wake.waveEnergy(vessel.log);
+  if (energy > goneEnergy(vessel.hull)) return changed;
   vessel.wakes.clear();
   vessel.quietSince = known;
   return true;

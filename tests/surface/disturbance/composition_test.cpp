@@ -89,9 +89,9 @@ TEST(Composition, SamplingAWakeAllocatesNothing) {
   WaterSurface water(sea());
   water.setDisturbances(wake.system.feed());
   std::vector<SurfaceSample> samples(points.size());
-  const auto before = test::allocations();
+  const auto before = test_support::allocationCount();
   water.sample(points, 10.0, samples, {.orbitalVelocity = true});
-  EXPECT_EQ(test::allocations(), before);
+  EXPECT_EQ(test_support::allocationCount(), before);
 }
 
 TEST(Composition, MotionBelowIsThatOfTheSurfaceAtTheSurfaceAndDiesDown) {
@@ -100,8 +100,8 @@ TEST(Composition, MotionBelowIsThatOfTheSurfaceAtTheSurfaceAndDiesDown) {
   water.setDisturbances(wake.system.feed());
   const SurfaceAtTime now = water.at(10.0);
   const SurfaceSample top = now.sample(points[0], {.orbitalVelocity = true});
-  const std::vector<glm::dvec3> column{{points[0], top.height}, {points[0], top.height - 2.0},
-                                       {points[0], top.height - 40.0}};
+  const std::vector<glm::dvec3> column{
+      {points[0], top.height}, {points[0], top.height - 2.0}, {points[0], top.height - 40.0}};
   std::vector<WaterKinematics> motion(column.size());
   sampleKinematics(now, column, motion);
   // The wake's ∂η/∂t is w; places pass through float.
