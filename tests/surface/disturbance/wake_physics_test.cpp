@@ -4,6 +4,7 @@
 
 #include "surface/constants.h"
 #include "surface/dispersion.h"
+#include "surface/disturbance/steady_wake.h"
 #include "tests/surface/disturbance/wake_support.h"
 
 namespace seaway {
@@ -14,123 +15,27 @@ using test::sail;
 using test::straight;
 using test::windowOf;
 
-/// A straight course through still water until the wake is steady, in a window of 256² cells and
-/// 128² modes or more; the vessel's bow points east.
-struct SteadyWake {
-  SteadyWake(const HullFootprint& hull, double speed, double size, double depth, int modes = 128)
-      : window(makeWindow(
-            [&] {
-              WakeWindowSettings settings = windowOf(size, 2 * modes, modes);
-              settings.depth = depth;
-              settings.absorption = 40.0 * speed / size;
-              return settings;
-            }(),
-            hull, size / speed / 400.0)) {
-    const double dt = size / speed / 400.0;
-    sail(window, dt, steps, straight(speed), 0.3 * size, 4);
-    place = straight(speed)(steps * dt);
-    centre = place.position - glm::dvec2(0.3 * size, 0.0);
-    envelope = window.envelope();
-  }
-
-  /// Heights at points given from the vessel, astern and to port.
-  std::vector<double> heights(const std::vector<glm::dvec2>& fromVessel) const {
-    std::vector<glm::dvec2> points;
-    for (const glm::dvec2 p : fromVessel) points.push_back(place.position + glm::dvec2(-p.x, p.y));
-    std::vector<double> result;
-    for (const SurfaceSample& s : test::samplesOf(test::stillState(window, centre), points)) {
-      result.push_back(s.height);
-    }
-    return result;
-  }
-
-  /// |Z| at a point given from the vessel, bilinear.
-  double envelopeAt(glm::dvec2 fromVessel) const {
-    const int cells = window.settings().cells;
-    const glm::dvec2 cell =
-        (place.position + glm::dvec2(-fromVessel.x, fromVessel.y)) / window.settings().cellSize;
-    const double i = std::floor(cell.x), j = std::floor(cell.y), u = cell.x - i, v = cell.y - j;
-    const auto value = [&](double x, double y) {
-      const auto wrap = [&](double c) { return static_cast<long long>(c) & (cells - 1); };
-      return static_cast<double>(envelope[static_cast<std::size_t>(wrap(y) * cells + wrap(x))]);
-    };
-    return (1 - v) * ((1 - u) * value(i, j) + u * value(i + 1, j)) +
-           v * ((1 - u) * value(i, j + 1) + u * value(i + 1, j + 1));
-  }
-
-  static constexpr int steps = 1200;
-  WakeWindow window;
-  HullPlace place;
-  glm::dvec2 centre{0.0};
-  std::vector<float> envelope;
-};
-
-struct Line {
-  double slope, intercept;
-};
-
-/// Least squares.
-Line lineThrough(const std::vector<glm::dvec2>& points) {
+/// Slope of the straight line through points.
+double slopeOf(const std::vector<glm::dvec2>& points) {
   double n = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
   for (const glm::dvec2 p : points) {
     n += 1, sumX += p.x, sumY += p.y, sumXX += p.x * p.x, sumXY += p.x * p.y;
   }
-  const double slope = (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
-  return {slope, (sumY - slope * sumX) / n};
+  return (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
 }
+
+double degrees(double angle) { return angle * 180.0 / pi; }
 
 TEST(WakePhysics, TransverseWavesAreAsLongAsTheShipsSpeedSays) {
   const HullFootprint hull = HullFootprint::wigley(12.0, 3.5, 0.8);
   for (const double speed : {3.0, 5.0, 8.0, 12.0}) {
     const double expected = 2.0 * pi * speed * speed / standardGravity;
-    const SteadyWake wake(hull, speed, 20.0 * expected, deepWater);
-    std::vector<glm::dvec2> track;
-    for (int i = 0; i <= 4000; ++i) track.emplace_back(expected * (3.0 + 8.0 * i / 4000.0), 0.0);
-    const std::vector<double> heights = wake.heights(track);
-    std::vector<glm::dvec2> crossings;
-    for (std::size_t i = 1; i < heights.size(); ++i) {
-      if ((heights[i - 1] < 0.0) == (heights[i] < 0.0)) continue;
-      const double part = heights[i - 1] / (heights[i - 1] - heights[i]);
-      const double count = static_cast<double>(crossings.size());
-      crossings.emplace_back(count, track[i - 1].x + part * (track[i].x - track[i - 1].x));
-    }
-    ASSERT_GE(crossings.size(), 12u) << speed;
-    const double wavelength = 2.0 * lineThrough(crossings).slope;
+    const SteadyWake wake(hull, speed, 20.0 * expected, deepWater, 128);
+    const double wavelength = transverseWavelength(wake, 3.0 * expected, 11.0 * expected);
     RecordProperty("error_percent_at_" + std::to_string(static_cast<int>(speed)),
                    std::to_string(100.0 * (wavelength / expected - 1.0)));
     EXPECT_NEAR(wavelength / expected, 1.0, 0.005) << speed;
   }
-}
-
-/// A point of a wake's outermost ridge: a crest of the envelope, from the vessel, m.
-struct Ridge {
-  double astern, aside;
-};
-
-/// Where the envelope is highest across the track, at distances astern from `first` to `last`.
-std::vector<Ridge> ridgeOf(const SteadyWake& wake, double first, double last, double widest) {
-  std::vector<Ridge> ridge;
-  for (int i = 0; i < 60; ++i) {
-    const double astern = first + (last - first) * i / 59.0;
-    Ridge best{astern, 0.0};
-    double highest = 0.0;
-    for (int j = 0; j < 2000; ++j) {
-      const double aside = astern * widest * (j + 1) / 2000.0;
-      const double height = wake.envelopeAt({astern, aside});
-      if (height > highest) highest = height, best.aside = aside;
-    }
-    ridge.push_back(best);
-  }
-  return ridge;
-}
-
-/// The ridge's angle at an infinite distance, deg: near the cusp a wake is an Airy function whose
-/// peak lies inside the cusp line by a length ∝ r^(1/3), hence an angle ∝ r^(−2/3).
-double cuspAngle_deg(const std::vector<Ridge>& ridge) {
-  std::vector<glm::dvec2> points;
-  for (const Ridge& r : ridge)
-    points.emplace_back(std::pow(r.astern, -2.0 / 3.0), r.aside / r.astern);
-  return std::atan(lineThrough(points).intercept) * 180.0 / pi;
 }
 
 TEST(WakePhysics, TheCuspIsKelvinsWhereTheHullIsLongForItsSpeed) {
@@ -139,39 +44,26 @@ TEST(WakePhysics, TheCuspIsKelvinsWhereTheHullIsLongForItsSpeed) {
     const double wavelength = 2.0 * pi * speed * speed / standardGravity;
     const HullFootprint hull = HullFootprint::wigley(length, 0.12 * length, 0.06 * length);
     const SteadyWake wake(hull, speed, 40.0 * wavelength, deepWater, 256);
-    const double angle = cuspAngle_deg(ridgeOf(wake, 6.0 * wavelength, 22.0 * wavelength, 0.5));
+    const double angle =
+        degrees(ridgeAngleAtInfinity(ridgeOf(wake, 6.0 * wavelength, 22.0 * wavelength, 0.5)));
     RecordProperty("angle_at_" + std::to_string(froude), std::to_string(angle));
-    EXPECT_NEAR(angle, std::asin(1.0 / 3.0) * 180.0 / pi, 0.5) << froude;
+    EXPECT_NEAR(angle, degrees(std::asin(1.0 / 3.0)), 0.5) << froude;
   }
-}
-
-/// Half the angle of the wedge that holds a wake in water of a depth, deg, by tracing rays: waves
-/// that stand still on a ship, U cos θ = c(k), carry their energy along atan(c_g sin θ/(U − c_g cos
-/// θ)), and the wedge is the widest of these (Havelock 1908).
-double wedge_deg(double speed, double depth) {
-  double widest = 0.0;
-  const double k0 = standardGravity / (speed * speed), longest = std::min(k0, 1e-3 / depth);
-  for (int i = 0; i < 200000; ++i) {
-    const double k = longest * std::pow(100.0 * k0 / longest, i / 199999.0);
-    const double cosine = phaseSpeed(k, depth) / speed;
-    if (cosine > 1.0) continue;
-    const double sine = std::sqrt(1.0 - cosine * cosine), group = groupSpeed(k, depth);
-    widest = std::max(widest, std::atan2(group * sine, speed - group * cosine));
-  }
-  return widest * 180.0 / pi;
 }
 
 TEST(WakePhysics, TheWedgeOpensWithDepthAsHavelockSays) {
-  EXPECT_NEAR(wedge_deg(5.0, 1e4), std::asin(1.0 / 3.0) * 180.0 / pi, 0.001);  // deep: Kelvin's
+  EXPECT_NEAR(degrees(wedgeAngle(5.0, deepWater)), degrees(std::asin(1.0 / 3.0)),
+              0.001);  // deep: Kelvin's
   const double speed = 5.0, wavelength = 2.0 * pi * speed * speed / standardGravity;
   for (const double froude : {0.7, 0.9}) {
     const double depth = std::pow(speed / froude, 2) / standardGravity;
     const HullFootprint hull = HullFootprint::wigley(0.5 * wavelength, 1.0, 0.4);
     const SteadyWake wake(hull, speed, 40.0 * wavelength, depth, 256);
-    const double angle = cuspAngle_deg(ridgeOf(wake, 4.0 * wavelength, 12.0 * wavelength, 1.4));
+    const double angle =
+        degrees(ridgeAngleAtInfinity(ridgeOf(wake, 4.0 * wavelength, 12.0 * wavelength, 1.4)));
     RecordProperty("angle_at_" + std::to_string(froude), std::to_string(angle));
     // The Airy peak's law is extrapolated from 4 to 12 wavelengths.
-    EXPECT_NEAR(angle, wedge_deg(speed, depth), 1.0) << froude;
+    EXPECT_NEAR(angle, degrees(wedgeAngle(speed, depth)), 1.0) << froude;
   }
 }
 
@@ -179,7 +71,7 @@ TEST(WakePhysics, BeyondTheCriticalSpeedTheWedgeIsMachs) {
   const double speed = 5.0, wavelength = 2.0 * pi * speed * speed / standardGravity;
   for (const double froude : {1.3, 1.6}) {
     const double depth = std::pow(speed / froude, 2) / standardGravity;
-    EXPECT_NEAR(wedge_deg(speed, depth), std::asin(1.0 / froude) * 180.0 / pi, 0.01);
+    EXPECT_NEAR(degrees(wedgeAngle(speed, depth)), degrees(std::asin(1.0 / froude)), 0.01);
     const HullFootprint hull = HullFootprint::wigley(2.0 * wavelength, 3.0, 0.5);
     const SteadyWake wake(hull, speed, 40.0 * wavelength, depth, 256);
     // The outermost place where the front reaches a third of its height runs parallel to the front.
@@ -198,9 +90,9 @@ TEST(WakePhysics, BeyondTheCriticalSpeedTheWedgeIsMachs) {
       }
       front.emplace_back(astern, edge);
     }
-    const double angle = std::atan(lineThrough(front).slope) * 180.0 / pi;
+    const double angle = degrees(std::atan(slopeOf(front)));
     RecordProperty("angle_at_" + std::to_string(froude), std::to_string(angle));
-    EXPECT_NEAR(angle, wedge_deg(speed, depth), 1.5) << froude;
+    EXPECT_NEAR(angle, degrees(wedgeAngle(speed, depth)), 1.5) << froude;
   }
 }
 
@@ -211,7 +103,7 @@ TEST(WakePhysics, AThinShipsWavesAndResistanceAreMichells) {
     const double k0 = standardGravity / (speed * speed);
     SteadyWake wake(hull, speed, 256.0, deepWater, 256);
     // Waves shorter than the window carries are left out on both sides.
-    const WavelengthBand band = wake.window.settings().band;
+    const WavelengthBand band = wake.settings().band;
     const double steepest = std::acos(std::sqrt(k0 * band.shortNone / (2.0 * pi)));
     constexpr int directions = 4000;
     std::vector<std::complex<double>> amplitude;
@@ -235,7 +127,7 @@ TEST(WakePhysics, AThinShipsWavesAndResistanceAreMichells) {
                               overDirections([](double theta, std::complex<double> h) {
                                 return std::norm(h) / std::pow(std::cos(theta), 5);
                               });
-    const double measured = wake.window.waveResistance(wake.place);
+    const double measured = wake.resistance();
     RecordProperty("resistance_ratio_at_" + std::to_string(speed),
                    std::to_string(measured / resistance));
     EXPECT_NEAR(measured / resistance, 1.0, 0.01) << speed;
