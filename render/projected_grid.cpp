@@ -113,9 +113,8 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
 
   const glm::mat4 clipFromRelativeWorld(reversedClipFromRelativeWorld(view.camera));
   if (shown.water) {
-    timed(view, stats, "water", Effect::water, [&] {
-      sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater);
-    });
+    timed(view, stats, "water", Effect::water,
+          [&] { sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater); });
   }
   shown.objects = decideObjects(view);
   if (shown.objects) {
@@ -195,7 +194,8 @@ void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   shade(view, shown, frame.stats);
   read(view, frame);
   holdMemory(*view.effects);
-  frame.stats.gpuMs = gpuClock_.collect();
+  if (sea_) frame.stats.gpuMs = sea_->gpuMs();
+  for (auto& pass : gpuClock_.collect()) frame.stats.gpuMs.push_back(std::move(pass));
   checkGl("projected grid");
 }
 
