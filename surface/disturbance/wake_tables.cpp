@@ -26,14 +26,14 @@ double step(double wavelength, double none, double all) {
 
 /// Cosine and sine in float of a rotation that keeps lengths: the smaller follows from the larger,
 /// as rounded. Each rounded by itself would change an amplitude by up to 6e-8 at every turn, always
-/// the same way. Where that would turn the angle by more than 1e-4 of it (very small ones) they
+/// the same way. Where that would turn the angle by more than 1e-5 of it (very small ones) they
 /// are.
 std::pair<float, float> rotation(double angle) {
   const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   const bool cosineIsLarger = std::abs(c) > std::abs(s);
   const double larger = cosineIsLarger ? c : s, smaller = cosineIsLarger ? s : c;
   const double kept = std::copysign(std::sqrt(std::max(0.0, 1.0 - larger * larger)), smaller);
-  if (std::abs(kept - smaller) > 1e-4 * std::abs(smaller)) return {c, s};
+  if (std::abs(kept - smaller) > 1e-5 * std::abs(smaller)) return {c, s};
   return cosineIsLarger ? std::pair(c, static_cast<float>(kept))
                         : std::pair(static_cast<float>(kept), s);
 }

@@ -48,9 +48,9 @@ TEST(WakeWindow, FreeWavesTurnAtTheirFrequency) {
     for (int i = 0; i < 30; ++i) window.step(0.1, nowhere(), nowhere());
     const double omega = angularFrequency(2.0 * pi / 128.0 * std::hypot(5.0, 3.0), depth);
     const std::complex<double> expected = before * std::polar(1.0, -omega * 3.0);
-    // Thirty multiplications in float, each some 1e-7.
+    // Thirty multiplications in float, each some 1e-7; angles are tabled to 1e-5 of themselves.
     EXPECT_NEAR(std::abs(std::complex<double>(window.mode(5, -3)) - expected), 0.0,
-                3e-6 * std::abs(before));
+                (3e-6 + 1e-5 * omega * 3.0) * std::abs(before));
   }
 }
 
@@ -80,8 +80,8 @@ TEST(WakeWindow, OneStepIsExactWhateverItsLength) {
   }
   double largest = 0.0;
   const double difference = largestDifference(whole, parts, largest);
-  // Float phases of up to 70 rad in the one step, 256 roundings in the many.
-  EXPECT_LE(difference, 2e-5 * largest);
+  // Angles of up to 20 rad, tabled to 1e-5 of themselves in the many steps.
+  EXPECT_LE(difference, 2e-4 * largest);
 }
 
 TEST(WakeWindow, TheSameHeadingFromAnyQuarterGivesTheSameWakeTurned) {
