@@ -18,6 +18,10 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
     {Effect::sun, "sun", "sun disc and its glitter on the water", "the sun is above the horizon"},
     {Effect::vesselMeshes, "vessel_meshes", "vessels in the picture",
      "a vessel's bounding sphere meets the camera's view"},
+    {Effect::outline, "outline", "shores: no water beyond the sea's outline, for queries and pictures",
+     "the sea has an outline"},
+    {Effect::hullMask, "hull_mask", "no sea inside open hulls in the picture",
+     "a vessel with a hold or cockpit is in the camera's view"},
 }};
 
 std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }

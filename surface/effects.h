@@ -15,7 +15,17 @@
 namespace seaway {
 
 /// Every effect Seaway knows. `effectDescriptions()` has one entry each, in this order.
-enum class Effect : std::size_t { waves, vesselMotion, water, sky, sun, vesselMeshes, count };
+enum class Effect : std::size_t {
+  waves,
+  vesselMotion,
+  water,
+  sky,
+  sun,
+  vesselMeshes,
+  outline,
+  hullMask,
+  count
+};
 
 /// What a scene asks of an effect.
 enum class EffectSetting {

@@ -6,13 +6,14 @@
 namespace seaway {
 
 std::string statusText(SampleStatus status) {
-  static constexpr std::array<std::pair<SampleStatus, const char*>, 6> names{{
+  static constexpr std::array<std::pair<SampleStatus, const char*>, 7> names{{
       {SampleStatus::truncated, "truncated"},
       {SampleStatus::notFinite, "not_finite"},
       {SampleStatus::outOfRange, "out_of_range"},
       {SampleStatus::noKinematics, "no_kinematics"},
       {SampleStatus::aboveSurface, "above_surface"},
       {SampleStatus::belowBed, "below_bed"},
+      {SampleStatus::dry, "dry"},
   }};
   std::string text;
   for (const auto& [bit, name] : names) {

@@ -20,6 +20,7 @@ enum class SampleStatus : std::uint32_t {
   noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
   aboveSurface = 1u << 4,  ///< the point is in the air: no water motion there, NaN
   belowBed = 1u << 5,      ///< the point is in the sea bed, or the bed has fallen dry: NaN
+  dry = 1u << 8,           ///< outside the water's outline: there is no water, values are NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {

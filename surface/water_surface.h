@@ -1,10 +1,12 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include "surface/field/wave_field.h"
+#include "surface/outline/water_outline.h"
 #include "surface/surface_sample.h"
 
 namespace seaway {
@@ -14,18 +16,24 @@ namespace seaway {
 /// allocate nothing.
 class SurfaceAtTime {
  public:
-  explicit SurfaceAtTime(FieldAtTime waves) : waves_(std::move(waves)) {}
+  explicit SurfaceAtTime(FieldAtTime waves, const WaterOutline* outline = nullptr)
+      : waves_(std::move(waves)), outline_(outline) {}
 
   double time() const { return waves_.time(); }
   const FieldAtTime& waves() const { return waves_; }
+  /// Null where there is water everywhere.
+  const WaterOutline* outline() const { return outline_; }
 
-  /// See WaveField::sample; the same bits.
+  /// See WaveField::sample; the same bits. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, out, options);
+    if (outline_) outline_->markDry(points, out);
   }
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept {
-    return waves_.sample(point, options);
+    SurfaceSample result = waves_.sample(point, options);
+    if (outline_) outline_->markDry(std::span(&point, 1), std::span(&result, 1));
+    return result;
   }
 
   /// See WaveField::heightBound.
@@ -33,6 +41,7 @@ class SurfaceAtTime {
 
  private:
   FieldAtTime waves_;
+  const WaterOutline* outline_;
 };
 
 /// The one surface that physics asks and pictures draw: waves now, disturbances as they come.
@@ -46,13 +55,19 @@ class WaterSurface {
 
   const WaveField& waves() const { return waves_; }
 
-  /// The surface prepared for one time; allocates.
-  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t)); }
+  /// Water only within `outline` from now on; null: everywhere. Not while others sample.
+  void setOutline(std::shared_ptr<const WaterOutline> outline) { outline_ = std::move(outline); }
+  /// Null where there is water everywhere.
+  const WaterOutline* outline() const { return outline_.get(); }
 
-  /// See WaveField::sample.
+  /// The surface prepared for one time; allocates.
+  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), outline()); }
+
+  /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, t, out, options);
+    if (outline_) outline_->markDry(points, out);
   }
 
   SurfaceSample sample(glm::dvec2 point, double t, const SampleOptions& options = {}) const noexcept {
@@ -66,6 +81,7 @@ class WaterSurface {
 
  private:
   WaveField waves_;
+  std::shared_ptr<const WaterOutline> outline_;
 };
 
 }  // namespace seaway
