@@ -30,7 +30,7 @@ struct Mooring {
   glm::dvec2 place{0.0};  // sea plane, m
 
   double from_deg(const DirectionalMoments& moments) const {
-    const double heading = geodesy->trueHeadingFromDirection(place, moments.toward());
+    const double heading = geodesy->trueHeadingFromDirection(place, moments.meanDirection());
     return compassWrapped(heading + 180.0);
   }
 };

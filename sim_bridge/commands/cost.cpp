@@ -72,17 +72,19 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
-    Progress progress("cost", 3);
+    Progress progress("cost", 4);
     studies.push_back(studyQueryOctaves(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(2);
+    studies.push_back(studyFitOctaves(studyOptions));
+    progress.update(3);
     if (!scene.cameras.empty()) {
       for (Study& study : studyImageGrid(scene, sea, studyOptions)) {
         studies.push_back(std::move(study));
       }
     }
-    progress.update(3);
+    progress.update(4);
   }
   const nlohmann::ordered_json json = asJson(studies, options.scene);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv");

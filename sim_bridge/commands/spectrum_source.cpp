@@ -121,6 +121,16 @@ const Family* familyNamed(const std::string& argument) {
   throw InputError("'" + argument + "' is neither a file nor one of: " + forms);
 }
 
+/// As recordAt, with file and option named where there is none.
+const SpectrumRecord& atTime(const std::vector<SpectrumRecord>& records, const std::string& file,
+                             const std::string& time) {
+  try {
+    return recordAt(records, time);
+  } catch (const InputError& fault) {
+    throw InputError(file, 0, "--time " + time + ": " + fault.what());
+  }
+}
+
 }  // namespace
 
 SpectrumSource spectrumFrom(const std::string& argument, std::optional<int> record,
@@ -136,7 +146,7 @@ SpectrumSource spectrumFrom(const std::string& argument, std::optional<int> reco
   if (record && !time.empty()) throw InputError("give --record or --time, not both");
   const std::vector<SpectrumRecord> records = readSpectra(withCompanions(argument), format);
   const SpectrumRecord& chosen =
-      time.empty() ? recordNumber(records, record.value_or(0)) : recordAt(records, time);
+      time.empty() ? recordNumber(records, record.value_or(0)) : atTime(records, argument, time);
   const std::string of = chosen.time.empty() ? "" : " of " + chosen.time;
   if (!chosen.hasSpectrum()) {
     throw InputError(argument, chosen.line, "the spectrum" + of + " has fewer than 2 bins");

@@ -48,6 +48,9 @@ Study studyQueryOctaves(const Sea& sea, const StudyOptions& options);
 /// the spectrum each stands for, and height error (m rms) against its own exact field.
 std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options);
 
+/// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
+Study studyFitOctaves(const StudyOptions& options);
+
 /// Two studies of the scene's first camera, by grid size, ms a frame: axial depth of water pixels
 /// (median m) against a ray-march, and height of the field where pixels lie (rms m).
 std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);

@@ -34,15 +34,38 @@ std::vector<double> makeTable() {
   return table;
 }
 
+/// Where |q| lies in the table: entries i and i + 1, `fraction` between them; i is the last entry
+/// where q is beyond the table.
+struct Place {
+  std::size_t i = 0;
+  double fraction = 0.0;
+};
+
+const std::vector<double>& table() {
+  static const std::vector<double> values = makeTable();
+  return values;
+}
+
+Place placeOf(double q) {
+  const double at = std::abs(q) / stepQ;
+  const std::size_t last = table().size() - 1;
+  if (!(at < static_cast<double>(last))) return {last, 0.0};
+  const auto i = static_cast<std::size_t>(at);
+  return {i, at - static_cast<double>(i)};
+}
+
 }  // namespace
 
 double groupEnvelopeDensity(double q) {
-  static const std::vector<double> table = makeTable();
-  const double at = std::abs(q) / stepQ;
-  const auto i = static_cast<std::size_t>(at < 1e9 ? at : 1e9);
-  if (!(at >= 0.0) || i + 1 >= table.size()) return 0.0;
-  const double fraction = at - static_cast<double>(i);
-  return table[i] * (1.0 - fraction) + table[i + 1] * fraction;
+  const Place at = placeOf(q);
+  if (at.i + 1 >= table().size()) return 0.0;
+  return table()[at.i] * (1.0 - at.fraction) + table()[at.i + 1] * at.fraction;
+}
+
+double groupEnvelopeSlope(double q) {
+  const Place at = placeOf(q);
+  if (at.i + 1 >= table().size()) return 0.0;
+  return (table()[at.i + 1] - table()[at.i]) / std::copysign(stepQ, q);
 }
 
 }  // namespace seaway

@@ -10,4 +10,7 @@ namespace seaway {
 /// variance lies, it is 0. Accurate to 1e-5 of its maximum; thread-safe.
 double groupEnvelopeDensity(double q);
 
+/// Its derivative, per cycle per cell.
+double groupEnvelopeSlope(double q);
+
 }  // namespace seaway

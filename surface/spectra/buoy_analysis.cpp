@@ -180,13 +180,6 @@ void describeDistribution(const std::vector<double>& heave, BuoyAnalysis& result
 
 }  // namespace
 
-double DirectionalMoments::toward() const { return std::atan2(b1, a1); }
-
-double DirectionalMoments::spread() const {
-  const double r1 = std::hypot(a1, b1);
-  return r1 > 1.0 ? 0.0 : std::sqrt(2.0 * (1.0 - r1));
-}
-
 BuoyAnalysis analyseBuoy(const BuoyRecord& record, const BuoyAnalysisOptions& options) {
   requireSound(record);
   const std::size_t size = segmentSamples(record, options.segment);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "surface/spectra/directional_spectrum.h"
 #include "surface/spectra/frequency_spectrum.h"
 
 namespace seaway {
@@ -23,21 +24,10 @@ struct BuoyAnalysisOptions {
   double segment = 256.0;
 };
 
-/// First Fourier moments of the directional distribution, of where waves go *toward*:
-/// a₁ + i b₁ = ∫ D(θ) e^{iθ} dθ, a₂ + i b₂ = ∫ D(θ) e^{2iθ} dθ. NaN where there is no energy.
-struct DirectionalMoments {
-  double a1, b1, a2, b2;
-
-  double toward() const;  ///< mean direction, rad counter-clockwise from east, (−π, π]
-  /// Circular spread √(2(1 − r₁)), r₁ = √(a₁² + b₁²), rad: standard deviation of a narrow
-  /// distribution (Kuik, van Vledder & Holthuijsen 1988).
-  double spread() const;
-};
-
 /// What a buoy's record says of the sea.
 struct BuoyAnalysis {
   FrequencySpectrum spectrum;  ///< 1/segment … 1/(2 · time step), every 1/segment
-  std::vector<DirectionalMoments> directions;  ///< of each bin
+  std::vector<DirectionalMoments> directions;  ///< of each bin; NaN where there is no energy
   /// √((C₂₂ + C₃₃)/C₁₁) of each bin, rad/m: the waves' own wave number where heave and slopes agree
   /// with linear theory (a buoy's check ratio is this over the dispersion relation's).
   std::vector<double> waveNumber;

@@ -25,7 +25,7 @@ struct DirectionalMoments {
   double r1() const { return std::hypot(a1, b1); }             ///< 0: from everywhere, 1: one direction
   double meanDirection() const { return std::atan2(b1, a1); }  ///< rad, toward
   /// Directional spread √(2(1 − r₁)), rad (Kuik et al. 1988).
-  double spread() const { return std::sqrt(2.0 * std::fmax(0.0, 1.0 - r1())); }
+  double spread() const { return std::sqrt(2.0 * (r1() > 1.0 ? 0.0 : 1.0 - r1())); }
 };
 
 /// Variance density of the surface elevation over frequency, with what is known of its directions:

@@ -56,7 +56,7 @@ TEST(BuoyAnalysis, ReadsARegularWavesHeightPeriodAndDirection) {
     EXPECT_NEAR(sea.significantWaveHeight, 4.0 * 0.8 / std::sqrt(2.0), 1e-12);
     EXPECT_NEAR(sea.peakPeriod, 1.0 / frequency, 1e-9);
     for (const DirectionalMoments& direction : {sea.peak, sea.overall}) {
-      EXPECT_NEAR(std::remainder(direction.toward() - radiansFromDegrees(toward_deg), 2.0 * pi),
+      EXPECT_NEAR(std::remainder(direction.meanDirection() - radiansFromDegrees(toward_deg), 2.0 * pi),
                   0.0, 1e-9);
       EXPECT_NEAR(direction.spread(), 0.0, 1e-6);  // √ of the rounding of r₁
       EXPECT_NEAR(direction.a2, std::cos(2.0 * radiansFromDegrees(toward_deg)), 1e-9);
@@ -83,7 +83,7 @@ TEST(BuoyAnalysis, ReadsTheDirectionOfAWaveOfTheField) {
       record.slopeNorth.push_back(sample.slope.y);
     }
     const BuoyAnalysis sea = analyseBuoy(record);
-    EXPECT_NEAR(compassFromFromToward(sea.peak.toward()), from_deg,
+    EXPECT_NEAR(compassFromFromToward(sea.peak.meanDirection()), from_deg,
                 0.01);  // float samples, leakage
     EXPECT_NEAR(sea.significantWaveHeight, 2.0 * std::sqrt(2.0) * 0.5, 1e-3);  // leakage off a bin
   }
@@ -92,11 +92,11 @@ TEST(BuoyAnalysis, ReadsTheDirectionOfAWaveOfTheField) {
 TEST(BuoyAnalysis, TellsTwoCrossingWavesOfDifferentFrequencyApart) {
   const double swell = 20.0 * binWidth, windSea = 50.0 * binWidth;
   const auto sea = analyseBuoy(recordOf({{1.0, swell, 0.0}, {0.5, windSea, pi / 2.0}}));
-  EXPECT_NEAR(sea.directions[19].toward(), 0.0, 1e-9);
-  EXPECT_NEAR(sea.directions[49].toward(), pi / 2.0, 1e-9);
+  EXPECT_NEAR(sea.directions[19].meanDirection(), 0.0, 1e-9);
+  EXPECT_NEAR(sea.directions[49].meanDirection(), pi / 2.0, 1e-9);
   EXPECT_NEAR(sea.peakPeriod, 1.0 / swell, 1e-9);
   // Energies 4 : 1. Overall a₁ = 4/5, b₁ = 1/5; rounding in the empty bins.
-  EXPECT_NEAR(sea.overall.toward(), std::atan2(0.2, 0.8), 1e-9);
+  EXPECT_NEAR(sea.overall.meanDirection(), std::atan2(0.2, 0.8), 1e-9);
   EXPECT_NEAR(sea.overall.spread(), std::sqrt(2.0 * (1.0 - std::sqrt(0.68))), 1e-9);
 }
 
@@ -190,7 +190,7 @@ TEST(BuoyAnalysisHard, FlatWaterHasNoHeightAndNoDirection) {
   EXPECT_EQ(sea.significantWaveHeight, 0.0);
   EXPECT_EQ(sea.significantWaveHeightError, 0.0);
   for (const double undefined : {sea.peakPeriod, sea.zeroCrossingPeriod, sea.kurtosis, sea.skewness,
-                                 sea.overall.toward(), sea.overall.spread(), sea.peak.toward()}) {
+                                 sea.overall.meanDirection(), sea.overall.spread(), sea.peak.meanDirection()}) {
     EXPECT_TRUE(std::isnan(undefined));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene/sea_state_file.h"
 #include "surface/spectra/families.h"
 #include "tests/sim_bridge/test_support.h"
 
@@ -89,6 +90,49 @@ TEST(FitCommand, SaysThatAFrequencySpectrumHasNoDirection) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.err.find("--from-deg"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("S(k)"), std::string::npos);
+}
+
+TEST(FitCommand, ReportsAndVerifiesAGroupFit) {
+  const TempFolder folder;
+  const std::string report = (folder / "report").string();
+  const auto outcome = seaway({"fit", "jonswap:2,8,3.3", "--model", "group", "--budget", "8",
+                               "--from-deg", "270", "--parameters", "--verify", "--hours", "1",
+                               "--report", report, "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto fit = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(fit["octaves"].size(), 8u);
+  EXPECT_LT(fit["wave_number_deviation"].get<double>(), 0.1);
+  EXPECT_NEAR(fit["parameters"]["systems"][0]["tp_s"].get<double>(), 8.0, 0.2);
+  const auto& height = fit["verification"]["quantities"][0];
+  EXPECT_NEAR(height["read"].get<double>(), 2.0, 4.0 * height["standard_error"].get<double>());
+  const std::string page = test::readFile(folder / "report/report.html");
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  std::size_t figures = 0;
+  for (std::size_t at = 0; (at = page.find("<svg", at)) != std::string::npos; ++at) ++figures;
+  EXPECT_EQ(figures, 5u);  // spectrum twice, residual, octaves, polar map
+  for (const char* elsewhere : {"<script src", "<link", "src=\"http"}) {
+    EXPECT_EQ(page.find(elsewhere), std::string::npos) << elsewhere;
+  }
+  EXPECT_NO_THROW(loadSeaState(folder / "report/sea.yaml"));
+  EXPECT_EQ(folder.files().size(), 2u);
+}
+
+TEST(FitCommand, NeedsSomewhereToWriteAndSoundOptions) {
+  const TempFolder folder;
+  const std::string out = (folder / "sea.yaml").string();
+  const std::vector<std::vector<std::string>> wrong = {
+      {"fit", "pm:2,8"},
+      {"fit", "pm:2,8", "--out", out, "--starts", "0"},
+      {"fit", "pm:2,8", "--out", out, "--degrees-of-freedom", "1"},
+      {"fit", "pm:2,8", "--out", out, "--hours", "0"},
+      {"fit", "pm:2,8", "--report", "/proc/nowhere"}};
+  for (const auto& arguments : wrong) {
+    const auto outcome = seaway(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments.back();
+    EXPECT_FALSE(outcome.err.empty());
+  }
+  EXPECT_TRUE(folder.files().empty());
 }
 
 TEST(FitCommand, FitsTheMeasuredRecordOfTheDemonstration) {
