@@ -59,6 +59,7 @@ class WaterSurface {
   void setOutline(std::shared_ptr<const WaterOutline> outline) { outline_ = std::move(outline); }
   /// Null where there is water everywhere.
   const WaterOutline* outline() const { return outline_.get(); }
+  std::shared_ptr<const WaterOutline> sharedOutline() const { return outline_; }
 
   /// The surface prepared for one time; allocates.
   SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), outline()); }

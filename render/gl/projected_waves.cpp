@@ -20,11 +20,12 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
     map_.uploadRows(rows_);
     stampTexture_ = stampPass_->draw(stamps, foot, rows_, size.x);
   }
+  useOutline(map_.program(), view);
   map_.fill(field, rows_, size.x, view.camera, stampTexture_);
 }
 
 std::size_t ProjectedWaves::memoryBytes() const {
-  return map_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
+  return map_.memoryBytes() + outline_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
          rows_.capacity() * sizeof(TwinRow);
 }
 
