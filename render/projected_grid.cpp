@@ -234,7 +234,8 @@ void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
   shade(view, shown, frame.stats);
   read(view, frame);
   holdMemory(*view.effects);
-  frame.stats.gpuMs = gpuClock_.collect();
+  if (sea_) frame.stats.gpuMs = sea_->gpuMs();
+  for (auto& pass : gpuClock_.collect()) frame.stats.gpuMs.push_back(std::move(pass));
   checkGl("projected grid");
 }
 

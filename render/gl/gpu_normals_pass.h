@@ -15,6 +15,7 @@ class GpuNormalsPass final : public SeaGeometryPass {
   SeaPlacement place(const View& view, const Projector& projector, glm::ivec2 size) override;
   void draw(const FrameTargets& targets, const glm::mat4& clipFromRelativeWorld,
             bool cameraIsUnderWater) override;
+  std::vector<std::pair<std::string, double>> gpuMs() override { return waves_.gpuMs(); }
   std::size_t memoryBytes() const override;
 
  private:

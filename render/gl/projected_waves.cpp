@@ -6,7 +6,8 @@ namespace seaway::render {
 
 ProjectedWaves::ProjectedWaves()
     : noVertices_(makeVertexArray()),
-      map_(isSoftwareRenderer() ? WaveMap::Way::fragment : WaveMap::Way::compute) {}
+      map_(isSoftwareRenderer() ? WaveMap::Way::fragment : WaveMap::Way::compute),
+      clock_(!isSoftwareRenderer()) {}
 
 void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ivec2 size,
                           std::span<const Stamp> stamps) {
@@ -18,10 +19,14 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   if (!stamps.empty()) {
     if (!stampPass_) stampPass_.emplace();
     map_.uploadRows(rows_);
+    clock_.start("stamps");
     stampTexture_ = stampPass_->draw(stamps, foot, rows_, size.x);
+    clock_.stop();
   }
   useOutline(map_.program(), view);
+  clock_.start("heights");
   map_.fill(field, rows_, size.x, view.camera, stampTexture_);
+  clock_.stop();
 }
 
 std::size_t ProjectedWaves::memoryBytes() const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/gl/gpu_clock.h"
 #include "render/gl/outline_buffers.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/stamp_pass.h"
@@ -32,6 +33,9 @@ class ProjectedWaves {
   GLuint stamps() const { return stampTexture_; }
   std::span<const TwinRow> rows() const { return rows_; }
 
+  /// See SeaGeometryPass::gpuMs.
+  std::vector<std::pair<std::string, double>> gpuMs() { return clock_.collect(); }
+
   std::size_t memoryBytes() const;
 
  private:
@@ -41,6 +45,7 @@ class ProjectedWaves {
   std::optional<StampPass> stampPass_;
   GLuint stampTexture_ = 0;
   std::vector<TwinRow> rows_;
+  GpuClock clock_;
 };
 
 }  // namespace seaway::render

@@ -9,9 +9,7 @@
 namespace seaway::render {
 
 void setWaterStencil(bool cameraIsUnderWater) {
-  glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, stencilWater, 0xFF);
-  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, cameraIsUnderWater ? stencilUnderside : stencilWater,
-                        0xFF);
+  glStencilFunc(GL_ALWAYS, cameraIsUnderWater ? stencilUnderside : stencilWater, 0xFF);
 }
 
 std::unique_ptr<SeaGeometryPass> makeSeaGeometryPass(GridVariant variant) {

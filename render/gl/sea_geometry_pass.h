@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "render/gl/frame_targets.h"
 #include "render/grid_placement.h"
@@ -37,11 +40,15 @@ class SeaGeometryPass {
   virtual void draw(const FrameTargets& targets, const glm::mat4& clipFromRelativeWorld,
                     bool cameraIsUnderWater) = 0;
 
+  /// Milliseconds that what `place` did since the last call took on the graphics card, by pass;
+  /// empty in software, and where the processor alone places.
+  virtual std::vector<std::pair<std::string, double>> gpuMs() { return {}; }
+
   virtual std::size_t memoryBytes() const = 0;
 };
 
-/// Stencil of the sea's front and back sides. Seen from above, a back side that shows is a crest's
-/// rim within a pixel, not the underside.
+/// Stencil of the sea: a camera sees the side that it is on, whatever side a triangle at a crest's
+/// rim turns to it.
 void setWaterStencil(bool cameraIsUnderWater);
 
 /// The stage for a variant that draws through GL. Throws InputError where the current context

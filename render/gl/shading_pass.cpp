@@ -40,6 +40,7 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
   program.set("waterExtinction", c.waterExtinction);
   program.set("deepWater", c.deepWater);
   program.set("veil", c.veil);
+  program.set("foamLight", c.foamLight);
   program.set("crestSky", c.crestSky);
   program.set("crestSun", c.crestSun);
   program.set("crestScale", c.crestScale);

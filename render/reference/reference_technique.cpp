@@ -87,9 +87,7 @@ void ReferenceTechnique::fillSeaSpan(const View& view, const float* inverse, int
     const BandLimitedSea::Point& point =
         points_[static_cast<std::size_t>(row) * view.camera.size.x + first + i];
     const glm::vec2 slope(point.slope);
-    const glm::vec3 ray = span.firstRay + static_cast<float>(i) * span.rayStep;
-    const bool below = underWater && glm::dot(ray, glm::vec3(-slope, 1.0f)) > 0.0f;
-    span.kind[i] = below ? ShadedAs::underside : ShadedAs::water;
+    span.kind[i] = underWater ? ShadedAs::underside : ShadedAs::water;
     span.axial[i] = 1.0f / inverse[i];
     span.slopeX[i] = slope.x;
     span.slopeY[i] = slope.y;

@@ -15,7 +15,7 @@ uniform vec3 sunDirection, sunLight, skyLight;
 uniform float rootSunHeight, airExtinction, exposure;
 uniform vec2 levelSun, aerosolShape;
 uniform vec3 horizonRayleigh, horizonAerosol, horizonOften;
-uniform vec3 waterExtinction, deepWater, veil, crestSky, crestSun;
+uniform vec3 waterExtinction, deepWater, veil, foamLight, crestSky, crestSun;
 uniform float crestScale, rippleDeviation, hairSlope, rippleLastLevel;
 uniform vec2 rippleFromWorld[4];
 uniform vec2 rippleOrigin[2], rippleAlong[2];

@@ -16,9 +16,10 @@ SHADER Real3 blurredSky(Real3 direction, Real level) {
   return skyTexel(dome, level);
 }
 
+// Horizontal unit vector; shorter towards the vertical, where there is no such direction.
 SHADER Real2 levelDirection(Real3 direction) {
-  Real2 level = Real2(direction.x + 1e-6f, direction.y);
-  return level * inversesqrt(max(dot(level, level), 1e-12f));
+  Real2 level = Real2(direction.x, direction.y);
+  return level * inversesqrt(max(dot(level, level), 0.04f * dot(direction, direction)));
 }
 
 // Sky just above the horizon: skyRadiance of atmosphere.glsl.h with all that does not depend on
@@ -116,15 +117,17 @@ SHADER Real3 glitter(Real3 toViewer, Real2 slope, Real variance, Real rootCosine
   return mirrored;
 }
 
-// Light that comes back out of the water. Thin crests let light through where the viewer looks at
+// Light that comes back out of the water, and from whitecaps too small to be seen one by one, which
+// lie on crests. Thin crests let light through where the viewer looks at
 // them from the side, most towards the sun.
 SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height) {
   Real crest = clamp(0.5f + height * crestScale, 0.0f, 1.5f);
   Real tilt = -(slope.x * toViewer.x + slope.y * toViewer.y);
   Real face = clamp(0.2f + 1.6f * tilt, 0.0f, 1.0f) * (1.0f - toViewer.z);
   Real against = max(-(toViewer.x * sunDirection.x + toViewer.y * sunDirection.y), 0.0f);
-  return Real3(deepWater) +
-         crest * crest * face * (Real3(crestSky) + against * against * Real3(crestSun));
+  Real high = crest * crest;
+  return Real3(deepWater) + high * high * Real3(foamLight) +
+         high * face * (Real3(crestSky) + against * against * Real3(crestSun));
 }
 
 SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real missingSlope,

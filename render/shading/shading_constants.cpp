@@ -80,6 +80,10 @@ void setWater(ShadingConstants& c, const View& view) {
   c.deepWater = deepReflectance * onSea;
   c.veil = 1.6f * c.deepWater;
   if (!view.water) return;
+  // Cover by Monahan & O'Muircheartaigh 1980, reflectance by Koepke 1984, redder light lost in the
+  // bubbles' water; crest⁴ of the shading has a mean of 0.168 where heights are Gaussian.
+  const double cover = std::min(3.84e-6 * std::pow(view.light.windSpeed, 3.41), 1.0);
+  c.foamLight = static_cast<float>(0.22 / 0.168 * cover) * glm::vec3(0.6f, 0.9f, 1.0f) * onSea;
   const double crestHeight = 0.5 * view.water->waves().significantWaveHeight();
   c.crestScale = static_cast<float>(0.5 / std::max(crestHeight, 0.02));
   const glm::vec3 through = crestTransmission * static_cast<float>(std::min(crestHeight, 1.0));

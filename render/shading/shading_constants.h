@@ -31,6 +31,7 @@ struct ShadingConstants {
   glm::vec3 waterExtinction{0.0f};  ///< 1/m
   glm::vec3 deepWater{0.0f};        ///< radiance that comes up from deep water
   glm::vec3 veil{0.0f};             ///< radiance of water itself, seen from inside
+  glm::vec3 foamLight{0.0f};        ///< radiance of whitecaps, spread over the sea as crest⁴ is
   glm::vec3 crestSky{0.0f}, crestSun{0.0f};  ///< light through crests
   float crestScale = 0.0f;                   ///< 1/m
   bool ripplesAreOn = false;

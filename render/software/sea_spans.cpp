@@ -53,7 +53,8 @@ HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   const Real root = sqrt(size * size + 1.0f);
   const Real half = exactLog2(size + root) * Real(0.69314718f);
   const Real logarithm = choose(s < 0.0f, -half, half);
-  const Real share = v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
+  const Real share =
+      v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
   const float columns = in.size.x - 1.0f, rows = in.size.y - 1.0f;
   // dv/d along = (height/axial)²-like: sine·axial − cosine·(along·sine − heightCosine), a constant.
   const double turn = g.heightSine * g.sine + g.heightCosine * g.cosine;
@@ -92,8 +93,8 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
   // Slope that changes within a pixel is roughness to that pixel; as sharp normals it would
   // sparkle. Farther apart than a few cells, differences of neighbours tell no more.
   const Real2 ahead = (high - low) * min(footprintAhead * place.rowsPerMetre, 3.0f);
-  const Real2 across = ((b - a) + ((d - c) - (b - a)) * v) *
-                       min(footprint * place.columnsPerMetre, 3.0f);
+  const Real2 across =
+      ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
   const Real missingNear = gather(in.missing, nearIndex);
   const Real missingFar = gather(in.missing, hn::Add(nearIndex, one));
   return {low + (high - low) * v,
@@ -108,9 +109,8 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
     const Real inverse = hn::LoadU(f, in.inverse + i);
     const Mask water = inverse > 0.0f;
     const Words w;
-    const auto kindOf = [&](ShadedAs kind) HWY_ATTR {
-      return hn::Set(w, static_cast<std::uint32_t>(kind));
-    };
+    const auto kindOf = [&](ShadedAs kind)
+                            HWY_ATTR { return hn::Set(w, static_cast<std::uint32_t>(kind)); };
     auto* kinds = reinterpret_cast<std::uint32_t*>(span.kind + i);
     if (!anyOf(water)) {
       hn::Store(kindOf(ShadedAs::sky), w, kinds);
@@ -125,15 +125,12 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
     const Real footprint = axial * Real(in.pixelAngle);
     const Real distance = sqrt(level + relative.z * relative.z);
     const Real grazing = clamp(abs(relative.z) / distance, 0.01f, 1.0f);
-    const Slope slope = slopeAt(in, gridPlace(in, {relative.x, relative.y}), footprint,
-                                footprint / grazing);
+    const Slope slope =
+        slopeAt(in, gridPlace(in, {relative.x, relative.y}), footprint, footprint / grazing);
     const Real height =
         relative.z + in.cameraHeight + level * static_cast<float>(0.5 / earthMeanRadius);
-    VU kind = kindOf(ShadedAs::water);
-    if (in.cameraIsUnderWater) {
-      const Mask below = ray.z - ray.x * slope.mean.x - ray.y * slope.mean.y > Real(0.0f);
-      kind = hn::IfThenElse(hn::RebindMask(w, below.m), kindOf(ShadedAs::underside), kind);
-    }
+    // A camera sees the side that it is on: the first hit crosses the surface once.
+    const VU kind = kindOf(in.cameraIsUnderWater ? ShadedAs::underside : ShadedAs::water);
     hn::Store(hn::IfThenElse(hn::RebindMask(w, water.m), kind, kindOf(ShadedAs::sky)), w, kinds);
     hn::Store(axial.v, f, span.axial + i);
     hn::Store(slope.mean.x.v, f, span.slopeX + i);
@@ -162,7 +159,8 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
     const std::size_t first = static_cast<std::size_t>(row) * size_.x;
     const auto steps = [](float slope) {
       const float kept = std::clamp(slope, -steepest, steepest) * (32767.0f / steepest);
-      return static_cast<std::uint32_t>(static_cast<std::int32_t>(kept + (kept < 0 ? -0.5f : 0.5f)));
+      return static_cast<std::uint32_t>(
+          static_cast<std::int32_t>(kept + (kept < 0 ? -0.5f : 0.5f)));
     };
     for (std::size_t i = first; i < first + size_.x; ++i) {
       packed_[i] = (steps(grid.slopeX()[i]) & 0xFFFFu) | steps(grid.slopeY()[i]) << 16;

@@ -6,15 +6,15 @@
 
 namespace seaway::render {
 
-/// What turns a pixel's distance into slopes: the grid's, packed for one fetch a vertex, and where a
-/// place lies in the grid.
+/// What turns a pixel's distance into slopes: the grid's, packed for one fetch a vertex, and where
+/// a place lies in the grid.
 class SeaSlopes {
  public:
   void fill(const SeaGrid& grid, const GridLayout& layout);
   std::size_t memoryBytes() const { return packed_.capacity() * sizeof(std::uint32_t); }
 
   /// Fills kinds, distances and slopes of a span from 1/axial distances, for rays set before.
-  /// The surface seen from below is `underside` where `cameraIsUnderWater`, else water too.
+  /// The surface is `underside` where `cameraIsUnderWater`, else `water`.
   void fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
                 PixelSpan& span) const;
 

@@ -120,9 +120,11 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
   const Lighting lighting = decideLighting(view, shown, sky_);
   if (lighting.sky) timer.finish("sky", Effect::sky);
   shade(view, shown, lighting, frame);
-  timer.finish("shading", shown.water    ? water
-                          : lighting.sky ? std::optional(Effect::sky)
-                                         : std::nullopt);
+  const auto payer = shown.water    ? water
+                     : lighting.sky ? std::optional(Effect::sky)
+                                    : std::nullopt;
+  timer.finish("shading", payer);
+  if (lighting.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
   smoothEdges(frame.colour, frame.depth, frame.classes);
   timer.finish("smoothing", std::nullopt);
   if (seaMemoryBytes() > 0) view.effects->holdMemory(Effect::water, seaMemoryBytes());

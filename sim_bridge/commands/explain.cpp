@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/headless_context.h"
+#include "render/technique_choice.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
@@ -86,8 +87,8 @@ void drawAll(const Scene& scene, const Simulation& simulation, const std::string
              EffectLedger& ledger) {
   if (scene.cameras.empty()) return;
   requireMemoryForPicture(scene.run.size);
-  const auto context = render::makeHeadlessContext(backend);
-  const auto technique = render::makeProjectedGrid(*context, {.grid = scene.accuracy.grid});
+  const auto technique =
+      render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
   SceneView view(scene);
   Progress progress("frames", 2 * scene.cameras.size());
   std::size_t drawn = 0;

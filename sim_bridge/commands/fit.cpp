@@ -112,7 +112,7 @@ void addFitCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--octaves,--budget", options->octaves,
                       "octaves to fit (default 8 Perlin or 24 group octaves)");
   command->add_option("--starts", options->starts,
-                      "group fits: starts that are tried, the best is kept (default 1)");
+                      "group fits: starts that are tried, the best is kept (default 4)");
   command->add_option("--seed", options->seed, "of further starts and of --verify (default 1)");
   command->add_flag("--parameters", options->parameters,
                     "fit H_m0, T_p, gamma, direction and s of one or two wave systems too");

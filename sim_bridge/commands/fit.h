@@ -17,7 +17,7 @@ struct FitOptions {
   std::string format;         ///< of a file; empty: by its content
   std::string model = "perlin";
   std::optional<int> octaves;
-  int starts = 1;                  ///< of group fits
+  int starts = 4;                  ///< of group fits: one may stop in a poor minimum
   std::int64_t seed = 1;           ///< of starts after the first, and of the verifying buoy's sea
   bool parameters = false;         ///< fit H_m0, T_p, γ, direction, s of one or two systems too
   double degreesOfFreedom = 20.0;  ///< of each spectral estimate

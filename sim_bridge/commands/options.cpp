@@ -9,20 +9,34 @@
 
 namespace seaway::bridge {
 
-glm::ivec2 parseSize(const std::string& text) {
-  constexpr int largest = 8192;
-  glm::ivec2 size{0};
+namespace {
+
+/// "AxB", each in [least, largest]; `shape` and `example` say what it stands for.
+glm::ivec2 parsePair(const std::string& option, const std::string& text, const std::string& shape,
+                     int least, int largest) {
+  glm::ivec2 pair{0};
   const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.x);
-  const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-  const auto height = separated ? std::from_chars(width.ptr + 1, end, size.y) : width;
-  if (!separated || height.ec != std::errc{} || height.ptr != end) {
-    throw InputError("--size: '" + text + "' is not WIDTHxHEIGHT, such as 1280x720");
+  const auto first = std::from_chars(text.data(), end, pair.x);
+  const bool separated = first.ec == std::errc{} && first.ptr != end && *first.ptr == 'x';
+  const auto second = separated ? std::from_chars(first.ptr + 1, end, pair.y) : first;
+  if (!separated || second.ec != std::errc{} || second.ptr != end) {
+    throw InputError(option + ": '" + text + "' is not " + shape);
   }
-  if (size.x < 1 || size.y < 1 || size.x > largest || size.y > largest) {
-    throw InputError("--size: " + text + " is not allowed; width and height must be in [1, 8192]");
+  if (pair.x < least || pair.y < least || pair.x > largest || pair.y > largest) {
+    throw InputError(option + ": " + text + " is not allowed; both must be in [" +
+                     std::to_string(least) + ", " + std::to_string(largest) + "]");
   }
-  return size;
+  return pair;
+}
+
+}  // namespace
+
+glm::ivec2 parseSize(const std::string& text) {
+  return parsePair("--size", text, "WIDTHxHEIGHT, such as 1280x720", 1, 8192);
+}
+
+glm::ivec2 parseGrid(const std::string& text) {
+  return parsePair("--grid", text, "COLUMNSxROWS, such as 256x512", 2, 4096);
 }
 
 double requireTime(double time) {

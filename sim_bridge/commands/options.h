@@ -15,6 +15,9 @@ namespace seaway::bridge {
 /// "640x480" as pixels. Throws InputError for anything else, and outside [1, 8192].
 glm::ivec2 parseSize(const std::string& text);
 
+/// "256x512" as columns and rows of a grid. Throws InputError, also outside [2, 4096].
+glm::ivec2 parseGrid(const std::string& text);
+
 /// A time given with `--time` to a command that sails vessels, which are known from the scene's
 /// epoch on: finite, ≥ 0. Throws InputError.
 double requireTime(double time);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "sim_bridge/commands/command.h"
@@ -11,9 +12,17 @@ struct RenderOptions {
   std::string scene;
   double time = 0.0;   ///< s
   std::string camera;  ///< empty: the scene's first
-  std::string size;    ///< WxH; empty: the scene's
-  std::string out;     ///< PNG file
+  std::string from;    ///< LAT,LON,HEIGHT of a camera of one's own; empty: one of the scene's
+  std::optional<double> yaw_deg, pitch_deg, roll_deg, fieldOfView_deg;  ///< of such a camera
+  std::string size;                 ///< WxH; empty: the scene's
+  std::string out;                  ///< PNG file
+  std::string depth, normals;       ///< EXR files; empty: none
+  std::string technique = "projected_grid";
+  std::string variant = "automatic";
+  std::string grid;                ///< COLUMNSxROWS; empty: the scene's
+  std::string compare;             ///< technique to compare with; empty: none
   std::string backend = "osmesa";  ///< osmesa, egl or egl:N
+  bool stats = false;              ///< draw twice, time the second, print as JSON
   bool json = false;
 };
 

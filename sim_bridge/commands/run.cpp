@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "render/headless_context.h"
+#include "render/technique_choice.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/run_output.h"
 #include "sim_bridge/output/picture_file.h"
@@ -45,8 +46,7 @@ class Cameras {
           RunSummary& summary)
       : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
     if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
-    context_ = render::makeHeadlessContext(backend);
-    technique_ = render::makeProjectedGrid(*context_, {.grid = scene.accuracy.grid});
+    technique_ = render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
   }
 
   void draw(const Simulation& moment, long long index) {
@@ -69,7 +69,6 @@ class Cameras {
   const RunFolder& folder_;
   RunSummary& summary_;
   SceneView view_;
-  std::unique_ptr<render::HeadlessContext> context_;
   std::unique_ptr<render::RenderTechnique> technique_;
 };
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/headless_context.h"
+#include "render/technique_choice.h"
 #include "render/unproject.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/scene_view.h"
@@ -71,7 +71,6 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
                "ms/frame",
                {}};
   const Simulation simulation(scene, sea);
-  const auto context = render::makeHeadlessContext(options.backend);
   SceneView sceneView(scene);
   EffectLedger ledger(scene.effects);
   render::View view = sceneView.view(simulation, findCamera(scene, ""), size, ledger);
@@ -80,7 +79,8 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
   const std::vector<int> grids = options.quick ? std::vector<int>{32, 128, 512}
                                                : std::vector<int>{32, 64, 128, 256, 512, 1024};
   for (const int side : grids) {
-    const auto technique = render::makeProjectedGrid(*context, {.grid = {side, side}});
+    const auto technique =
+        render::makeTechnique({.grid = {side, side}, .backend = options.backend});
     render::Frame frame;
     const Timing timing =
         timeRepeated([&] { frame = technique->draw(view); }, options.quick ? 3 : 5);

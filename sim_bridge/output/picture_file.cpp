@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/exr.h"
 #include "render/png.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/unfinished_files.h"
@@ -56,17 +57,56 @@ double availableMemory() {
       {machine ? *machine * 1024.0 : unlimited, leftInAddressSpace(), leftInControlGroup()});
 }
 
-}  // namespace
-
-void requireWritablePicture(const std::filesystem::path& path) {
+/// Throws unless `path` has the ending, in any case, and can be written.
+void requireEnding(const std::filesystem::path& path, const std::string& wanted,
+                   const std::string& what) {
   requireWritableFile(path);
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending != ".png") {
-    throw InputError("--out: '" + path.string() +
-                     "' is not allowed; pictures are PNG, the name must end in .png");
+  if (ending != wanted) {
+    throw InputError(what + ", the name must end in " + wanted);
   }
+}
+
+/// Writes beside `path`, then renames.
+template <typename Write>
+void writeWhole(const std::filesystem::path& path, Write write) {
+  std::filesystem::path beside = path;
+  beside += ".partial";
+  const UnfinishedFile unfinished(beside);
+  try {
+    write(beside);
+    std::filesystem::rename(beside, path);
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    throw std::runtime_error(path.string() + ": cannot be written: " + error.what());
+  }
+}
+
+}  // namespace
+
+void requireWritablePicture(const std::filesystem::path& path) {
+  requireEnding(path, ".png",
+                "--out: '" + path.string() + "' is not allowed; pictures are PNG");
+}
+
+void requireWritableExr(const std::filesystem::path& path) {
+  requireEnding(path, ".exr",
+                "'" + path.string() + "' is not allowed; depth and normals are OpenEXR");
+}
+
+void writeDepth(const std::filesystem::path& path, const render::Frame& frame) {
+  writeWhole(path, [&](const std::filesystem::path& beside) {
+    render::writeDepthExr(beside, frame.depth.size, frame.depth.metres);
+  });
+}
+
+void writeNormals(const std::filesystem::path& path, const render::Frame& frame) {
+  writeWhole(path, [&](const std::filesystem::path& beside) {
+    render::writeNormalsExr(beside, frame.depth.size, frame.normals);
+  });
 }
 
 void writePicture(const std::filesystem::path& path, const render::ColourImage& image) {

@@ -27,6 +27,14 @@ void expectWhole(const Frame& frame, const Camera& camera) {
 Frame wholeFrame(const WaterSurface& water, const Camera& camera, double time = 1.0) {
   const Frame frame = test::drawn(water, camera, time, {.grid = {64, 64}});
   expectWhole(frame, camera);
+  // The same without OpenGL, with the same sea but for pixels on outlines.
+  const Frame software = test::drawnInSoftware(water, camera, time, {.grid = {64, 64}});
+  expectWhole(software, camera);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < frame.classes.size(); ++i) {
+    others += frame.classes[i] != software.classes[i];
+  }
+  EXPECT_LE(others, 2 + frame.classes.size() / 100);
   return frame;
 }
 

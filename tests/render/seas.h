@@ -94,4 +94,16 @@ inline Frame drawn(const WaterSurface& water, const Camera& camera, double time 
   return makeProjectedGrid(sharedContext(), options)->draw(view);
 }
 
+/// The same without OpenGL.
+inline Frame drawnInSoftware(const WaterSurface& water, const Camera& camera, double time = 0.0,
+                             const ProjectedGridOptions& options = {}) {
+  EffectLedger effects;
+  View view;
+  view.water = &water;
+  view.time = time;
+  view.camera = camera;
+  view.effects = &effects;
+  return makeSoftwareGrid(options)->draw(view);
+}
+
 }  // namespace seaway::render::test

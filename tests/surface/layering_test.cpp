@@ -25,6 +25,7 @@ const std::vector<Rule> rules = {
     {"glad/", {"render/"}},
     {"GL/", {"render/"}},
     {"png.h", {"render/png.cpp"}},
+    {"OpenEXR/", {"render/exr.cpp"}},
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},
     {"nlohmann/", {"sim_bridge/", "surface/spectra/readers/spotter.cpp"}},
