@@ -81,7 +81,8 @@ void cutHollows(std::span<const PlacedHollow> hollows, const Camera& camera, Str
     const PixelBox box = pixelsOf(hollow, camera);
     const int last = std::min(box.end.y, strip.top + strip.rows);
     for (int row = std::max(box.least.y, strip.top); row < last; ++row) {
-      float* inverse = strip.inverse.data() + static_cast<std::size_t>(row - strip.top) * strip.stride;
+      float* inverse =
+          strip.inverse.data() + static_cast<std::size_t>(row - strip.top) * strip.stride;
       const glm::vec3 line = forward + (1.0f - (static_cast<float>(row) + 0.5f) * perPixel.y) * up;
       for (int x = box.least.x; x < box.end.x; ++x) {
         if (inverse[x] == 0.0f) continue;

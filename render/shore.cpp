@@ -56,7 +56,9 @@ PixelBox pixelsOf(const WaterOutline& outline, const Camera& camera, double heig
     high = glm::max(high, onScreen);
   }
   const glm::dvec2 size(camera.size);
-  const auto pixels = [&](glm::dvec2 part) { return glm::clamp(0.5 * (part + 1.0), 0.0, 1.0) * size; };
+  const auto pixels = [&](glm::dvec2 part) {
+    return glm::clamp(0.5 * (part + 1.0), 0.0, 1.0) * size;
+  };
   return {glm::ivec2(glm::floor(pixels(low))), glm::ivec2(glm::ceil(pixels(high)))};
 }
 

@@ -20,8 +20,8 @@ inline constexpr glm::vec3 groundReflectance{0.21f, 0.18f, 0.13f};
 /// null. `waterIsShown`: ground can be seen only where still-water level can.
 const WaterOutline* decideOutline(const View& view, bool waterIsShown);
 
-/// Pixels that water of an outline may cover, waves up to ±`heightBound` m; all of the picture where
-/// the outline's box reaches behind the camera.
+/// Pixels that water of an outline may cover, waves up to ±`heightBound` m; all of the picture
+/// where the outline's box reaches behind the camera.
 PixelBox pixelsOf(const WaterOutline& outline, const Camera& camera, double heightBound);
 
 /// Tells water from ground, pixel by pixel. shaders/ground.frag is its twin.

@@ -20,8 +20,7 @@ void OutlineBuffers::upload() {
 }
 
 void OutlineBuffers::use(const GlProgram& program,
-                         const std::shared_ptr<const WaterOutline>& outline,
-                         const Camera& camera) {
+                         const std::shared_ptr<const WaterOutline>& outline, const Camera& camera) {
   program.set("outlineIsOn", outline ? 1 : 0);
   if (!outline) return;
   if (outline != outline_) {

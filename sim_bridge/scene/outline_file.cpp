@@ -51,7 +51,8 @@ class OutlineReader {
     const auto under = [&](const char* name) { return key.empty() ? name : key + "." + name; };
     const json& type = member(value, key, "type");
     if (type == "FeatureCollection") {
-      const json& features = listAt(member(value, key, "features"), under("features"), 1, "features");
+      const json& features =
+          listAt(member(value, key, "features"), under("features"), 1, "features");
       for (std::size_t i = 0; i < features.size(); ++i) {
         addFrom(features[i], under("features") + "[" + std::to_string(i) + "]");
       }
@@ -66,8 +67,9 @@ class OutlineReader {
         addPolygon(all[i], under("coordinates") + "[" + std::to_string(i) + "]");
       }
     } else {
-      fail(under("type"), type.dump() + " is not allowed; must be one of: Polygon, MultiPolygon, "
-                                        "Feature, FeatureCollection");
+      fail(under("type"), type.dump() +
+                              " is not allowed; must be one of: Polygon, MultiPolygon, "
+                              "Feature, FeatureCollection");
     }
   }
 

@@ -90,7 +90,8 @@ Sea buildSea(const Scene& scene) {
       waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
     }
     WaterSurface surface(fieldOf(std::move(waves.octaves), sea));
-    if (sea.outline && scene.effects[static_cast<std::size_t>(Effect::outline)] != EffectSetting::off) {
+    const EffectSetting shores = scene.effects[static_cast<std::size_t>(Effect::outline)];
+    if (sea.outline && shores != EffectSetting::off) {
       surface.setOutline(sea.outline);
     }
     const WaveField& field = surface.waves();

@@ -58,10 +58,10 @@ void addCommon(std::vector<Field<P>>& fields, bool ofOneWind) {
       number("spread_s", &P::spreadExponent, "1", Range::atLeast(0.5).orInfinite(),
              "exponent s of the spreading cos²ˢ((θ − θ_m)/2) that the sea has at its frequencies"));
   if (ofOneWind) {
-    fields.push_back(choice(
-        "spread", &P::spreading,
-        {{"cosine", Spreading::cosinePower}, {"mitsuyasu", Spreading::mitsuyasu}},
-        "one exponent, or Mitsuyasu's: narrowest at the peak, by the wind"));
+    fields.push_back(
+        choice("spread", &P::spreading,
+               {{"cosine", Spreading::cosinePower}, {"mitsuyasu", Spreading::mitsuyasu}},
+               "one exponent, or Mitsuyasu's: narrowest at the peak, by the wind"));
     fields.push_back(number("spread_wind_m_s", &P::spreadWind, "m/s", Range::between(0.0, 80.0),
                             "wind at 10 m for `spread: mitsuyasu`"));
   }
@@ -71,7 +71,8 @@ void addCommon(std::vector<Field<P>>& fields, bool ofOneWind) {
 
 /// A kind of parametric sea; `settle` gives what the file does not.
 Field<SeaState> family(const char* key, std::vector<Field<P>> fields, bool ofOneWind,
-                       const char* summary, const std::function<void(P&, const YamlValue&)>& settle) {
+                       const char* summary,
+                       const std::function<void(P&, const YamlValue&)>& settle) {
   addCommon(fields, ofOneWind);
   const Mapping<P> schema(std::move(fields), [](const P& state, const YamlValue& value) {
     requireSeaLike(state, value);
@@ -91,19 +92,20 @@ std::function<void(P&, const YamlValue&)> ofFamily(SpectralFamily which) {
 }
 
 Field<SeaState> piersonMoskowitzField() {
-  return family("pierson_moskowitz",
-                {heightField(Need::optional), periodField(Need::optional),
-                 number("wind_m_s", &P::windSpeed, "m/s", Range::between(0.0, 100.0),
-                        "wind at 19.5 m that the sea has grown to; exactly this or hm0_m and tp_s")},
-                true, "fully developed wind sea", [](P& state, const YamlValue& value) {
-                  // γ is no key of such a sea: it is 1.
-                  state.peakEnhancement = 1.0;
-                  const int given = (value.find("hm0_m") != nullptr) + (value.find("tp_s") != nullptr);
-                  if (given != (value.find("wind_m_s") ? 0 : 2)) {
-                    value.fail("needs hm0_m and tp_s, or wind_m_s alone");
-                  }
-                  if (given == 0) state.family = SpectralFamily::piersonMoskowitzOfWind;
-                });
+  return family(
+      "pierson_moskowitz",
+      {heightField(Need::optional), periodField(Need::optional),
+       number("wind_m_s", &P::windSpeed, "m/s", Range::between(0.0, 100.0),
+              "wind at 19.5 m that the sea has grown to; exactly this or hm0_m and tp_s")},
+      true, "fully developed wind sea", [](P& state, const YamlValue& value) {
+        // γ is no key of such a sea: it is 1.
+        state.peakEnhancement = 1.0;
+        const int given = (value.find("hm0_m") != nullptr) + (value.find("tp_s") != nullptr);
+        if (given != (value.find("wind_m_s") ? 0 : 2)) {
+          value.fail("needs hm0_m and tp_s, or wind_m_s alone");
+        }
+        if (given == 0) state.family = SpectralFamily::piersonMoskowitzOfWind;
+      });
 }
 
 Mapping<OchiHubblePart> partSchema() {
@@ -119,8 +121,7 @@ Mapping<OchiHubblePart> partSchema() {
 Field<SeaState> ochiHubbleField() {
   return family(
       "ochi_hubble",
-      {heightField(Need::optional),
-       mapping("swell", &P::swell, partSchema(), "the longer system"),
+      {heightField(Need::optional), mapping("swell", &P::swell, partSchema(), "the longer system"),
        mapping("wind_sea", &P::windSea, partSchema(), "the shorter system")},
       false, "swell and wind sea: two systems, or the most probable ones of an H_m0 up to 20 m",
       [](P& state, const YamlValue& value) {
@@ -142,7 +143,8 @@ Field<SeaState> swellField() {
                 {heightField(), periodField(),
                  number("width_hz", &P::width, "Hz", Range::above(0.0),
                         "width of the bell, one standard deviation; at most 0.5/tp_s")},
-                false, "swell as a Gaussian bell in frequency", [](P& state, const YamlValue& value) {
+                false, "swell as a Gaussian bell in frequency",
+                [](P& state, const YamlValue& value) {
                   state.family = SpectralFamily::swell;
                   const double most = 0.5 / state.peakPeriod;
                   check(value, "width_hz", state.width,
@@ -155,7 +157,8 @@ Field<SeaState> wmoField() {
   return family("wmo",
                 {integer("state", &P::code, 1, 9, "code of the WMO's table 3700 (0 is `calm: {}`)",
                          Need::required)},
-                true, "Pierson–Moskowitz sea with the middle height and usual period of a sea state",
+                true,
+                "Pierson–Moskowitz sea with the middle height and usual period of a sea state",
                 ofFamily(SpectralFamily::wmo));
 }
 

@@ -125,8 +125,8 @@ void WaterOutline::binEdges(std::span<const OwnedEdge> edges) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const glm::dvec2 a = edges[i].edge.from / cellSize_, b = edges[i].edge.to / cellSize_;
     const auto [low, high] = std::minmax(a.y, b.y);
-    for (int row = clampTo(low - margin, cellCount_.y);
-         row <= clampTo(high + margin, cellCount_.y); ++row) {
+    for (int row = clampTo(low - margin, cellCount_.y); row <= clampTo(high + margin, cellCount_.y);
+         ++row) {
       const double bottom = std::clamp<double>(row - margin, low, high);
       const double top = std::clamp<double>(row + 1 + margin, low, high);
       const auto across = [&](double y, double level) {
@@ -142,8 +142,8 @@ void WaterOutline::binEdges(std::span<const OwnedEdge> edges) {
     }
   }
   for (const std::vector<std::uint32_t>& some : inCell) {
-    cells_.push_back({static_cast<std::uint32_t>(edges_.size()),
-                      static_cast<std::uint32_t>(some.size()), 0});
+    cells_.push_back(
+        {static_cast<std::uint32_t>(edges_.size()), static_cast<std::uint32_t>(some.size()), 0});
     for (std::size_t i = 0; i < some.size(); ++i) {
       edges_.push_back(edges[some[i]].edge);
       for (std::size_t j = 0; j < i; ++j) {

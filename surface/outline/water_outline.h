@@ -18,10 +18,10 @@ struct OutlinePolygon {
 
 /// Where there is water: inside any of some polygons and outside their holes.
 ///
-/// Edges are binned into an even grid over their bounding box; each cell knows whether its middle is
-/// in the water, and a query walks from there to its point across the few edges of that cell alone,
-/// by signs of cross products in double. A point on an edge counts as one side or the other. The
-/// same index serves shaders (render/shaders/outline.glsl). Immutable and thread-safe; queries
+/// Edges are binned into an even grid over their bounding box; each cell knows whether its middle
+/// is in the water, and a query walks from there to its point across the few edges of that cell
+/// alone, by signs of cross products in double. A point on an edge counts as one side or the other.
+/// The same index serves shaders (render/shaders/outline.glsl). Immutable and thread-safe; queries
 /// allocate nothing.
 class WaterOutline {
  public:

@@ -60,9 +60,9 @@ Picture picture(RenderTechnique& technique, const WaterSurface& water, const Cam
 
 /// A lake of 80 m with a bay from the north that is land, and an island.
 std::shared_ptr<const WaterOutline> lake(glm::dvec2 middle) {
-  std::vector<OutlinePolygon> polygons{{{{{-40, -40}, {40, -40}, {40, 40}, {12, 40}, {12, 5},
-                                          {-12, 5}, {-12, 40}, {-40, 40}},
-                                         {{-30, -30}, {-10, -33}, {-14, -12}, {-31, -15}}}}};
+  std::vector<OutlinePolygon> polygons{
+      {{{{-40, -40}, {40, -40}, {40, 40}, {12, 40}, {12, 5}, {-12, 5}, {-12, 40}, {-40, 40}},
+        {{-30, -30}, {-10, -33}, {-14, -12}, {-31, -15}}}}};
   for (auto& ring : polygons[0].rings) {
     for (glm::dvec2& point : ring) point += middle;
   }
@@ -84,7 +84,8 @@ glm::dvec2 placeOf(const Camera& camera, glm::dvec2 pixel) {
 TEST(Boundary, FromStraightAboveWaterIsWhatTheOutlineHoldsToAPixel) {
   const glm::dvec2 middle(3000.0, -500.0);
   const WaterSurface water = lakeSea(middle);
-  Camera camera = test::cameraAt({middle.x + 1.3, middle.y - 2.1, 90.0}, -90.0, 0.0, 60.0, {200, 160});
+  Camera camera =
+      test::cameraAt({middle.x + 1.3, middle.y - 2.1, 90.0}, -90.0, 0.0, 60.0, {200, 160});
   for (const Way& way : allWays({128, 128})) {
     SCOPED_TRACE(way.name);
     const Picture p = picture(*way.make(), water, camera);
@@ -166,8 +167,7 @@ TEST(Boundary, GroundLiesOnTheCurvedPlaneOfStillWater) {
         continue;
       }
       ASSERT_EQ(p.at(20, y), PixelClass::ground);
-      const double height =
-          50.0 + range * ray.z + seaDrop(range * glm::length(glm::dvec2(ray)));
+      const double height = 50.0 + range * ray.z + seaDrop(range * glm::length(glm::dvec2(ray)));
       // A float's 24 bits of range, and as much of its square's root where the ray grazes.
       EXPECT_NEAR(height, 0.0, 1e-5 * range + 1e-3) << y;
     }
@@ -211,7 +211,8 @@ TEST(Boundary, WaterInsideAnOutlineHasTheDepthOfAnEndlessSea) {
 
 /// An open box boat, 8 m by 3 m, its floor 0.3 m below the waterline.
 Mesh openBoat() {
-  const auto quad = [](std::vector<glm::vec3>& to, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+  const auto quad = [](std::vector<glm::vec3>& to, glm::vec3 a, glm::vec3 b, glm::vec3 c,
+                       glm::vec3 d) {
     to.insert(to.end(), {a, b, c, a, c, d});
   };
   Mesh mesh;
@@ -228,8 +229,12 @@ Mesh openBoat() {
   quad(part.vertices, {-x * in, -y * in, floor}, {x * in, -y * in, floor}, {x * in, y * in, floor},
        {-x * in, y * in, floor});
   mesh.parts.push_back(std::move(part));
-  mesh.hollows.push_back({{{1, 0, 0, x * in}, {-1, 0, 0, x * in}, {0, 1, 0, y * in},
-                           {0, -1, 0, y * in}, {0, 0, -1, -floor}, {0, 0, 1, top}}});
+  mesh.hollows.push_back({{{1, 0, 0, x * in},
+                           {-1, 0, 0, x * in},
+                           {0, 1, 0, y * in},
+                           {0, -1, 0, y * in},
+                           {0, 0, -1, -floor},
+                           {0, 0, 1, top}}});
   mesh.boundingRadius = 4.5;
   return mesh;
 }

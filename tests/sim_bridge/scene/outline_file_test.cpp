@@ -22,8 +22,9 @@ std::string polygon(const std::string& rings) {
 std::string faultOf(const std::string& text) {
   const TempFolder folder;
   const auto file = folder.write("lake.geojson", text);
-  const std::string message =
-      inputErrorOf([&] { loadOutline(file, Geodesy({42.0, -122.0, 0.0})); });
+  const std::string message = inputErrorOf([&] {
+    loadOutline(file, Geodesy({42.0, -122.0, 0.0}));
+  });
   const std::string prefix = folder.path().string() + "/";
   return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
 }
@@ -40,14 +41,18 @@ const std::string island =
 TEST(OutlineFile, ReadsPolygonsWithHolesBareOrInFeatures) {
   const Geodesy geodesy({42.0, -122.0, 0.0});
   for (const std::string& text :
-       {polygon(island), "{\"type\":\"Feature\",\"properties\":{},\"geometry\":" + polygon(island) + "}",
+       {polygon(island),
+        "{\"type\":\"Feature\",\"properties\":{},\"geometry\":" + polygon(island) + "}",
         "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"geometry\":" +
             polygon(island) + "}]}",
         "{\"type\":\"MultiPolygon\",\"coordinates\":[" + island + "]}"}) {
     const WaterOutline outline = outlineOf(text, geodesy);
-    for (const auto [latitude, longitude, wet] :
-         {std::tuple{42.05, -122.05, true}, {42.0, -122.0, false}, {42.0999, -122.0999, true},
-          {42.1001, -122.0, false}, {42.0099, -122.0, false}, {42.0101, -122.0, true}}) {
+    for (const auto [latitude, longitude, wet] : {std::tuple{42.05, -122.05, true},
+                                                  {42.0, -122.0, false},
+                                                  {42.0999, -122.0999, true},
+                                                  {42.1001, -122.0, false},
+                                                  {42.0099, -122.0, false},
+                                                  {42.0101, -122.0, true}}) {
       EXPECT_EQ(outline.contains(geodesy.seaPlaneFromGeodetic(latitude, longitude).position), wet)
           << latitude << ' ' << longitude;
     }
@@ -68,8 +73,12 @@ TEST(OutlineFileHard, RingsMayCrossTheAntimeridianInEveryWayOfWritingIt) {
     const WaterOutline outline = outlineOf(text, geodesy);
     // 0.2° of latitude and of longitude at 17° S on WGS84: 22.13 km by 21.30 km.
     EXPECT_NEAR(outline.area(), 22131.0 * 21298.0, 0.001 * 22131.0 * 21298.0);
-    for (const auto [longitude, wet] : {std::pair{179.95, true}, {-179.95, true}, {179.999, true},
-                                        {-179.89, false}, {179.89, false}, {0.0, false}}) {
+    for (const auto [longitude, wet] : {std::pair{179.95, true},
+                                        {-179.95, true},
+                                        {179.999, true},
+                                        {-179.89, false},
+                                        {179.89, false},
+                                        {0.0, false}}) {
       const SeaPlanePoint point = geodesy.seaPlaneFromGeodetic(-17.0, longitude);
       if (point.inRange) EXPECT_EQ(outline.contains(point.position), wet) << longitude;
     }
@@ -82,10 +91,8 @@ TEST(OutlineFile, EdgesAreStraightInLongitudeAndLatitude) {
   const WaterOutline outline =
       outlineOf(polygon("[[[-3,60],[3,60],[3,61],[-3,61],[-3,60]]]"), geodesy);
   for (const double longitude : {-2.9, -1.5, 0.0, 0.004, 1.5, 2.9}) {
-    EXPECT_TRUE(
-        outline.contains(geodesy.seaPlaneFromGeodetic(60.000003, longitude).position));
-    EXPECT_FALSE(
-        outline.contains(geodesy.seaPlaneFromGeodetic(59.999997, longitude).position));
+    EXPECT_TRUE(outline.contains(geodesy.seaPlaneFromGeodetic(60.000003, longitude).position));
+    EXPECT_FALSE(outline.contains(geodesy.seaPlaneFromGeodetic(59.999997, longitude).position));
   }
 }
 
@@ -106,8 +113,9 @@ TEST(OutlineFile, FaultsNameFileKeyAndWhatIsAllowed) {
             "(longitude, then latitude)");
   EXPECT_EQ(faultOf(polygon("[[[-122,42],[\"x\",42],[-121.9,42.1],[-122,42]]]")),
             "lake.geojson: key 'coordinates[0][1][0]': \"x\" is not a number");
-  EXPECT_EQ(faultOf(polygon("[[[0,42],[0.1,42],[0.1,42.1],[0,42]]]")),
-            "lake.geojson: key 'coordinates[0][1]': is farther than 500 km from the scene's anchor");
+  EXPECT_EQ(
+      faultOf(polygon("[[[0,42],[0.1,42],[0.1,42.1],[0,42]]]")),
+      "lake.geojson: key 'coordinates[0][1]': is farther than 500 km from the scene's anchor");
   EXPECT_EQ(faultOf(polygon("[[[-122,42],[-122,42],[-121.9,42],[-122,42]]]"))
                 .rfind("lake.geojson: key 'coordinates': ring 0: has", 0),
             0u);
@@ -117,8 +125,9 @@ TEST(OutlineFile, FaultsNameFileKeyAndWhatIsAllowed) {
 
 /// A lake of 0.01° each way around the test scene's launch.
 std::string testLake() {
-  return polygon("[[[-78.472,28.873],[-78.462,28.873],[-78.462,28.883],[-78.472,28.883],"
-                 "[-78.472,28.873]]]");
+  return polygon(
+      "[[[-78.472,28.873],[-78.462,28.873],[-78.462,28.883],[-78.472,28.883],"
+      "[-78.472,28.873]]]");
 }
 
 Scene lakeScene(const TempFolder& folder,
@@ -145,8 +154,7 @@ TEST(OutlineFile, TheOutlineCanBeSwitchedOff) {
 
 TEST(OutlineFile, AMissingFileIsNamed) {
   const TempFolder folder;
-  const auto file =
-      test::writeScene(folder, {{"seed: 7", "seed: 7\n  outline: none.geojson"}});
+  const auto file = test::writeScene(folder, {{"seed: 7", "seed: 7\n  outline: none.geojson"}});
   EXPECT_NE(inputErrorOf([&] { loadScene(file); }).find("key 'sea.outline': no such file"),
             std::string::npos);
 }

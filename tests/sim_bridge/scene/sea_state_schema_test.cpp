@@ -93,7 +93,8 @@ TEST(SeaStateSchema, MitsuyasusSpreadingIsNarrowestAtThePeak) {
   const double mean = towardFromCompassFrom(196.0);
   double near[2] = {0.0, 0.0}, weight[2] = {0.0, 0.0};
   for (const Octave& octave : sea.surface.waves().octaves()) {
-    const double ratio = bandOf(octave).frequency * 5.6, energy = std::pow(octave.standardDeviation, 2);
+    const double ratio = bandOf(octave).frequency * 5.6,
+                 energy = std::pow(octave.standardDeviation, 2);
     const int where = ratio > 0.85 && ratio < 1.15 ? 0 : ratio > 1.8 ? 1 : -1;
     if (where < 0) continue;
     near[where] += energy * std::abs(octave.toward - mean);

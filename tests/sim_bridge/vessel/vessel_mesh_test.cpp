@@ -20,7 +20,8 @@ VesselModel model(VesselShape shape) {
 }
 
 TEST(VesselMesh, HasTheDimensionsOfItsBox) {
-  for (const VesselShape shape : {VesselShape::launch, VesselShape::openLaunch, VesselShape::buoy}) {
+  for (const VesselShape shape :
+       {VesselShape::launch, VesselShape::openLaunch, VesselShape::buoy}) {
     glm::vec3 least(1e9f);
     glm::vec3 most(-1e9f);
     const render::Mesh mesh = vesselMesh(model(shape));

@@ -11,6 +11,7 @@
 
 #include "surface/field/octave.h"
 #include "surface/input_error.h"
+#include "surface/surface_ray.h"
 #include "surface/water_surface.h"
 #include "tests/support/allocation_counter.h"
 
@@ -71,8 +72,8 @@ TEST(WaterOutline, RingsMayTurnEitherWayAndRepeatTheirFirstPoint) {
 
 TEST(WaterOutline, AConcaveBayIsDryLand) {
   // A U: two arms 10 m wide joined at the foot.
-  const WaterOutline outline = outlineOf(
-      {{{{{0, 0}, {30, 0}, {30, 40}, {20, 40}, {20, 10}, {10, 10}, {10, 40}, {0, 40}}}}});
+  const WaterOutline outline =
+      outlineOf({{{{{0, 0}, {30, 0}, {30, 40}, {20, 40}, {20, 10}, {10, 10}, {10, 40}, {0, 40}}}}});
   EXPECT_TRUE(outline.contains({5.0, 35.0}));
   EXPECT_TRUE(outline.contains({25.0, 35.0}));
   EXPECT_TRUE(outline.contains({15.0, 5.0}));
@@ -160,8 +161,7 @@ TEST(WaterOutline, DegenerateRingsAreRefused) {
   EXPECT_EQ(faultOf({{{}}}), "polygon 0, ring 0: is missing");
   EXPECT_EQ(faultOf({{{{{0, 0}, {1, 0}, {1, 0}, {0, 0}}}}}),
             "polygon 0, ring 0: has 2 different points; needs 3 or more");
-  EXPECT_EQ(faultOf({{{square(9.0), {{0, 0}, {1, 1}, {2, 2}}}}}),
-            "polygon 0, ring 1: has no area");
+  EXPECT_EQ(faultOf({{{square(9.0), {{0, 0}, {1, 1}, {2, 2}}}}}), "polygon 0, ring 1: has no area");
   EXPECT_EQ(faultOf({{{{{0, 0}, {1, std::nan("")}, {1, 1}}}}}),
             "polygon 0, ring 0: has a point that is not finite");
   EXPECT_EQ(faultOf({{{{{0, 0}, {10, 10}, {10, 0}, {0, 4}}}}}),
@@ -201,6 +201,19 @@ TEST(WaterOutline, WaterInsideHasTheBitsOfASeaWithoutOutline) {
   for (double x = -90.0; x < 95.0; x += 11.0) {
     EXPECT_EQ(bounded.sample({x, 4.0}, 7.0).height, endless.sample({x, 4.0}, 7.0).height);
   }
+}
+
+TEST(WaterOutline, RaysEndOnTheGroundAroundTheWater) {
+  const WaterSurface water = lake();
+  const SurfaceAtTime now = water.at(2.0);
+  const glm::dvec3 down = glm::normalize(glm::dvec3(1.0, 0.0, -1.0));
+  ASSERT_TRUE(distanceToWater(now, {50.0, 0.0, 10.0}, down).has_value());
+  EXPECT_NEAR(*distanceToWater(now, {50.0, 0.0, 10.0}, down), 10.0 * std::sqrt(2.0), 1.0);
+  EXPECT_FALSE(distanceToWater(now, {95.0, 0.0, 10.0}, down).has_value());
+  EXPECT_FALSE(distanceToWater(now, {-150.0, 0.0, 10.0}, down).has_value());
+  // Over the ground into the lake.
+  EXPECT_TRUE(
+      distanceToWater(now, {-150.0, 0.0, 10.0}, glm::normalize(glm::dvec3(10.0, 0.0, -1.0))));
 }
 
 TEST(WaterOutline, QueriesAllocateNothing) {
