@@ -1,7 +1,9 @@
 #include <chrono>
+#include <glm/common.hpp>
 #include <optional>
 
 #include "render/edge_smoothing.h"
+#include "render/gl/boundary_passes.h"
 #include "render/gl/compute_shading.h"
 #include "render/gl/frame_targets.h"
 #include "render/gl/gpu_clock.h"
@@ -10,8 +12,10 @@
 #include "render/gl/shading_pass.h"
 #include "render/grid_placement.h"
 #include "render/headless_context.h"
+#include "render/hollows.h"
 #include "render/lighting_decision.h"
 #include "render/render_technique.h"
+#include "render/shore.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -50,6 +54,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   }
   void prepareTargets(const Camera& camera);
   Shown drawGeometry(const View& view, FrameStats& stats);
+  void keepTo(const WaterOutline& outline, const View& view) const;
+  void drawBoundaries(const View& view, const Shown& shown, FrameStats& stats);
   void shade(const View& view, const Shown& shown, FrameStats& stats);
   void read(const View& view, Frame& frame);
   void holdMemory(EffectLedger& effects) const;
@@ -64,6 +70,9 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::optional<FrameTargets> targets_;
   std::unique_ptr<SeaGeometryPass> sea_;
   std::optional<ObjectPass> objects_;
+  std::optional<GroundPass> ground_;
+  std::optional<HullMaskPass> hullMask_;
+  bool groundIsShown_ = false;
   std::optional<SkyDome> sky_;
   std::optional<ShadingPass> shading_;
   std::optional<ComputeShading> computeShading_;
@@ -113,9 +122,13 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
 
   const glm::mat4 clipFromRelativeWorld(reversedClipFromRelativeWorld(view.camera));
   if (shown.water) {
-    timed(view, stats, "water", Effect::water,
-          [&] { sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater); });
+    timed(view, stats, "water", Effect::water, [&] {
+      if (const WaterOutline* outline = view.water->outline()) keepTo(*outline, view);
+      sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater);
+      glDisable(GL_SCISSOR_TEST);
+    });
   }
+  drawBoundaries(view, shown, stats);
   shown.objects = decideObjects(view);
   if (shown.objects) {
     timed(view, stats, "objects", Effect::vesselMeshes, [&] {
@@ -128,6 +141,32 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
   return shown;
 }
 
+void ProjectedGridTechnique::keepTo(const WaterOutline& outline, const View& view) const {
+  const PixelBox box = pixelsOf(outline, view.camera, view.water->heightBound());
+  const glm::ivec2 size = glm::max(box.end - box.least, 0);
+  glScissor(box.least.x, targets_->size.y - box.end.y, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+}
+
+void ProjectedGridTechnique::drawBoundaries(const View& view, const Shown& shown,
+                                            FrameStats& stats) {
+  groundIsShown_ = decideOutline(view, shown.water) != nullptr;
+  const std::vector<PlacedHollow> hollows = decideHollows(view, shown.water);
+  if (groundIsShown_ || !hollows.empty()) glBindVertexArray(noVertices_);
+  if (groundIsShown_) {
+    timed(view, stats, "ground", Effect::outline, [&] {
+      if (!ground_) ground_.emplace();
+      ground_->draw(*targets_, view);
+    });
+  }
+  if (!hollows.empty()) {
+    timed(view, stats, "hull_mask", Effect::hullMask, [&] {
+      if (!hullMask_) hullMask_.emplace();
+      hullMask_->draw(*targets_, view.camera, hollows);
+    });
+  }
+}
+
 void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameStats& stats) {
   glBindVertexArray(noVertices_);
   Lighting lighting;
@@ -138,7 +177,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   input.constants = shadingConstants(view, lighting);
   input.sky = lighting.sky;
   input.waterIsOn = shown.water;
-  input.objectsAreOn = shown.objects;
+  input.objectsAreOn = shown.objects || groundIsShown_;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
   std::optional<Effect> payer;
   if (shown.water || lighting.sky) payer = shown.water ? Effect::water : Effect::sky;
@@ -168,6 +207,7 @@ void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
   addTextures(computeShading_);
   if (water > 0) effects.holdMemory(Effect::water, water);
   if (sky > 0) effects.holdMemory(Effect::sky, sky);
+  if (ground_) effects.holdMemory(Effect::outline, ground_->memoryBytes());
   if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
 }
 
@@ -176,7 +216,7 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
     glFinish();
     return;
   }
-  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, frame); });
+  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, groundIsShown_, frame); });
   timed(view, frame.stats, "smoothing", std::nullopt,
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }

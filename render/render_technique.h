@@ -2,6 +2,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,7 +31,15 @@ struct Mesh {
     std::vector<glm::vec3> vertices;  ///< three a triangle, counter-clockwise seen from outside
     glm::vec3 colour{0.8f};           ///< linear reflectance
   };
+  /// A convex room inside the hull that keeps the sea out: a cockpit, a hold. Where the surface of
+  /// the sea passes through it, no sea is drawn.
+  struct Hollow {
+    /// Outward unit normal in xyz, distance from the body origin in w: inside, dot(n, p) < w for all.
+    std::vector<glm::vec4> planes;  ///< at most `mostPlanes`
+    static constexpr std::size_t mostPlanes = 12;
+  };
   std::vector<Part> parts;
+  std::vector<Hollow> hollows;
   double boundingRadius = 0.0;  ///< about the body origin, m
 };
 

@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "surface/curvature.h"
 
@@ -33,52 +35,103 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
   rowLargest_.resize(size_.y);
+  wet_.clear();
+  if (water.outline()) findWet(*water.outline(), camera, layout);
   tbb::parallel_for(0, size_.y, [&](int row) {
     rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
   });
   largestHeight_ = *std::max_element(rowLargest_.begin(), rowLargest_.end());
 }
 
+void SeaGrid::findWet(const WaterOutline& outline, const Camera& camera,
+                      const GridLayout& layout) {
+  wet_.resize(static_cast<std::size_t>(size_.y - 1) * batches());
+  const glm::dvec2 foot(camera.position);
+  tbb::parallel_for(0, size_.y - 1, [&](int row) {
+    for (int b = 0; b < batches(); ++b) {
+      const int first = b * batch, last = std::min(first + batch, size_.x - 1);
+      glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
+      for (const int line : {row, row + 1}) {
+        for (const int column : {first, last}) {
+          const GridLayout::Row& at = layout.rows[line];
+          const glm::dvec2 corner = foot + at.start + at.step * static_cast<double>(column);
+          least = glm::min(least, corner);
+          most = glm::max(most, corner);
+        }
+      }
+      wet_[static_cast<std::size_t>(row) * batches() + b] = outline.mayMeet(least, most);
+    }
+  });
+}
+
+/// Whether a batch that has a vertex of this column's batch may be wet.
+bool SeaGrid::isAsked(int row, int column) const {
+  if (wet_.empty()) return true;
+  const int here = std::min(column / batch, batches() - 1);
+  for (const int line : {row - 1, row}) {
+    for (const int b : {here - 1, here}) {
+      if (line >= 0 && line + 1 < size_.y && b >= 0 && mayBeWet(line, b)) return true;
+    }
+  }
+  return false;
+}
+
 double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
                         const GridLayout::Row& layout, int row) {
+  missingSlope_[row] = static_cast<float>(layout.plan.missingSlope);
+  double largest = 0.0;
+  for (int first = 0; first < size_.x;) {
+    const bool asked = isAsked(row, first);
+    int end = first + (wet_.empty() ? chunk : batch);
+    while (end < size_.x && end - first < chunk && isAsked(row, end) == asked) end += batch;
+    end = std::min(end, size_.x);
+    largest = std::max(largest, fillPiece(water, camera, layout, row, first, end - first));
+    first = end;
+  }
+  return largest;
+}
+
+double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
+                          const GridLayout::Row& layout, int row, int first, int count) {
   const auto& [start, step, plan] = layout;
-  missingSlope_[row] = static_cast<float>(plan.missingSlope);
-  const bool fades = plan.weight > 0.0;
+  const WaterOutline* outline = wet_.empty() ? nullptr : water.outline();
+  const bool asked = isAsked(row, first), fades = plan.weight > 0.0 && asked;
   const auto weight = static_cast<float>(plan.weight);
   std::array<double, chunk> x, y;
   Waves waves, fading;
-  double largest = 0.0;
-  for (int first = 0; first < size_.x; first += chunk) {
-    const int count = std::min(chunk, size_.x - first);
-    for (int i = 0; i < count; ++i) {
-      x[i] = camera.position.x + start.x + step.x * (first + i);
-      y[i] = camera.position.y + start.y + step.y * (first + i);
-    }
-    const std::span<const double> xs(x.data(), count), ys(y.data(), count);
+  for (int i = 0; i < count; ++i) {
+    x[i] = camera.position.x + start.x + step.x * (first + i);
+    y[i] = camera.position.y + start.y + step.y * (first + i);
+  }
+  const std::span<const double> xs(x.data(), count), ys(y.data(), count);
+  if (asked) {
     water.waves().sample(xs, ys, waves.arrays(count), {.shortestWavelength = plan.keptWavelength});
+  }
+  if (fades) {
+    water.waves().sample(xs, ys, fading.arrays(count),
+                         {.shortestWavelength = plan.fadingWavelength});
+  }
+  double largest = 0.0;
+  const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
+  for (int i = 0; i < count; ++i) {
+    float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
     if (fades) {
-      water.waves().sample(xs, ys, fading.arrays(count),
-                           {.shortestWavelength = plan.fadingWavelength});
+      height += weight * (fading.height[i] - height);
+      slopeX += weight * (fading.slopeX[i] - slopeX);
+      slopeY += weight * (fading.slopeY[i] - slopeY);
     }
-    const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
-    for (int i = 0; i < count; ++i) {
-      float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
-      if (fades) {
-        height += weight * (fading.height[i] - height);
-        slopeX += weight * (fading.slopeX[i] - slopeX);
-        slopeY += weight * (fading.slopeY[i] - slopeY);
-      }
-      // Where the field has no answer the sea is drawn still: a hole would look like sky.
-      if (!std::isfinite(height)) height = slopeX = slopeY = 0.0f;
-      const glm::dvec2 base = start + step * static_cast<double>(first + i);
-      largest = std::max(largest, static_cast<double>(std::abs(height)));
-      x_[at + i] = static_cast<float>(base.x);
-      y_[at + i] = static_cast<float>(base.y);
-      z_[at + i] = static_cast<float>(height - seaDrop(glm::length(base)) - camera.position.z);
-      height_[at + i] = height;
-      slopeX_[at + i] = slopeX;
-      slopeY_[at + i] = slopeY;
-    }
+    // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
+    // outline it lies as the ground does.
+    const bool dry = outline && (!asked || !outline->contains({x[i], y[i]}));
+    if (dry || !std::isfinite(height)) height = slopeX = slopeY = 0.0f;
+    const glm::dvec2 base = start + step * static_cast<double>(first + i);
+    largest = std::max(largest, static_cast<double>(std::abs(height)));
+    x_[at + i] = static_cast<float>(base.x);
+    y_[at + i] = static_cast<float>(base.y);
+    z_[at + i] = static_cast<float>(height - seaDrop(glm::length(base)) - camera.position.z);
+    height_[at + i] = height;
+    slopeX_[at + i] = slopeX;
+    slopeY_[at + i] = slopeY;
   }
   return largest;
 }
@@ -108,7 +161,7 @@ std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
           slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
              sizeof(float) +
-         rowLargest_.capacity() * sizeof(double);
+         rowLargest_.capacity() * sizeof(double) + wet_.capacity();
 }
 
 }  // namespace seaway::render

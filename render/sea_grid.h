@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -31,6 +32,14 @@ class SeaGrid {
   /// Mean-square slope that a row does not carry.
   const std::vector<float>& missingSlope() const { return missingSlope_; }
 
+  /// Whether a batch of `batch` quads of a row, between it and the next, may show water: false only
+  /// where the sea has an outline and none of the batch is inside. Vertices outside the outline lie
+  /// at still-water level.
+  static constexpr int batch = 16;
+  bool mayBeWet(int row, int batchIndex) const {
+    return wet_.empty() || wet_[static_cast<std::size_t>(row) * batches() + batchIndex] != 0;
+  }
+
   /// Largest |height| of all vertices, m.
   double largestHeight() const { return largestHeight_; }
   /// Vertices inside the camera's frustum.
@@ -39,12 +48,18 @@ class SeaGrid {
   std::size_t memoryBytes() const;
 
  private:
+  int batches() const { return (size_.x - 2) / batch + 1; }
+  void findWet(const WaterOutline& outline, const Camera& camera, const GridLayout& layout);
+  bool isAsked(int row, int column) const;
   double fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
                  int row);
+  double fillPiece(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
+                   int row, int first, int count);
 
   glm::ivec2 size_{0};
   std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_;
   std::vector<double> rowLargest_;
+  std::vector<std::uint8_t> wet_;  // one a batch; empty: all
   double largestHeight_ = 0.0;
 };
 

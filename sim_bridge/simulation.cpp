@@ -106,6 +106,20 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
   if (charged) ledger->holdMemory(Effect::waves, waves.memoryBytes());
   EffectTimer timer(charged ? ledger : nullptr, Effect::waves);
   sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
+  requireAfloat(t);
+}
+
+void Simulation::requireAfloat(double t) const {
+  if (!sea_->surface.outline()) return;
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < vessels_.size(); ++i) {
+    for (std::size_t k = 0; k < vessels_[i].sampleCount(); ++k, ++sample) {
+      if (!has(samples_[sample].status, SampleStatus::dry)) continue;
+      throw InputError(scene_->file.string(), 0,
+                       "vessel '" + scene_->vessels[i].name + "' is aground at " +
+                           std::to_string(t) + " s: a part of it is outside the sea's outline");
+    }
+  }
 }
 
 double Simulation::nextTime() const { return static_cast<double>(steps_ + 1) * scene_->run.step; }

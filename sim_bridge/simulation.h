@@ -33,7 +33,8 @@ class Simulation {
   double nextTime() const;  ///< after one more step, s
 
   /// One step. The water is sampled in one batch for all vessels. Throws InputError where a course
-  /// leaves the geodesy's range, std::runtime_error where a motion stops being finite.
+  /// leaves the geodesy's range or the sea's outline, std::runtime_error where a motion stops being
+  /// finite.
   void step(EffectLedger* ledger = nullptr);
 
   /// Steps as long as the next whole step does not pass `t`.
@@ -49,6 +50,7 @@ class Simulation {
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
   void sampleAt(double t, EffectLedger* ledger);
+  void requireAfloat(double t) const;
   void advanceTo(double t, EffectLedger* ledger);
   template <class Action>
   void forEachVessel(Action action);

@@ -20,6 +20,11 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
      "a vessel's bounding sphere meets the camera's view"},
     {Effect::wake, "wake", "waves that vessels make, felt by others and seen",
      "a vessel is or was under way and another hull, a camera or a query is near"},
+    {Effect::outline, "outline",
+     "shores: no water beyond the sea's outline, for queries and pictures",
+     "the sea has an outline"},
+    {Effect::hullMask, "hull_mask", "no sea inside open hulls in the picture",
+     "a vessel with a hold or cockpit is in the camera's view"},
 }};
 
 std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }

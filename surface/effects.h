@@ -15,7 +15,18 @@
 namespace seaway {
 
 /// Every effect Seaway knows. `effectDescriptions()` has one entry each, in this order.
-enum class Effect : std::size_t { waves, vesselMotion, water, sky, sun, vesselMeshes, wake, count };
+enum class Effect : std::size_t {
+  waves,
+  vesselMotion,
+  water,
+  sky,
+  sun,
+  vesselMeshes,
+  wake,
+  outline,
+  hullMask,
+  count
+};
 
 /// What a scene asks of an effect.
 enum class EffectSetting {

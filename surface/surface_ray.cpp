@@ -21,9 +21,14 @@ std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 ori
   const auto aboveStillWater = [&](double distance) {
     return origin.z + direction.z * distance + (options.curved ? seaDrop(level * distance) : 0.0);
   };
+  const auto at = [&](double distance) {
+    return water.sample(glm::dvec2(origin) + glm::dvec2(direction) * distance,
+                        {.derivatives = false});
+  };
   const auto aboveWater = [&](double distance) {
-    const glm::dvec2 point = glm::dvec2(origin) + glm::dvec2(direction) * distance;
-    return aboveStillWater(distance) - water.sample(point, {.derivatives = false}).height;
+    const SurfaceSample sample = at(distance);
+    const double height = has(sample.status, SampleStatus::dry) ? 0.0 : sample.height;
+    return aboveStillWater(distance) - height;
   };
 
   double before = options.nearDistance;
@@ -44,7 +49,9 @@ std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 ori
         const double middle = 0.5 * (low + high);
         (side * aboveWater(middle) > 0.0 ? low : high) = middle;
       }
-      return 0.5 * (low + high);
+      const double hit = 0.5 * (low + high);
+      if (has(at(hit).status, SampleStatus::dry)) return std::nullopt;
+      return hit;
     }
     before = next;
     height = nextHeight;

@@ -6,7 +6,7 @@
 namespace seaway {
 
 std::string statusText(SampleStatus status) {
-  static constexpr std::array<std::pair<SampleStatus, const char*>, 8> names{{
+  static constexpr std::array<std::pair<SampleStatus, const char*>, 9> names{{
       {SampleStatus::truncated, "truncated"},
       {SampleStatus::notFinite, "not_finite"},
       {SampleStatus::outOfRange, "out_of_range"},
@@ -15,6 +15,7 @@ std::string statusText(SampleStatus status) {
       {SampleStatus::belowBed, "below_bed"},
       {SampleStatus::wakeOutOfTime, "wake_out_of_time"},
       {SampleStatus::wakePartial, "wake_partial"},
+      {SampleStatus::dry, "dry"},
   }};
   std::string text;
   for (const auto& [bit, name] : names) {

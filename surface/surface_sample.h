@@ -24,6 +24,7 @@ enum class SampleStatus : std::uint32_t {
                             ///< given
   wakePartial = 1u << 7,  ///< some of a wake's waves are missing or too low here: the point lies in
                           ///< a window's border, or beyond the window of the short waves
+  dry = 1u << 8,  ///< outside the water's outline: there is no water, values are NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {

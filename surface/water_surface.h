@@ -8,6 +8,7 @@
 #include "surface/disturbance/disturbance_state.h"
 #include "surface/disturbance/published.h"
 #include "surface/field/wave_field.h"
+#include "surface/outline/water_outline.h"
 #include "surface/surface_sample.h"
 
 namespace seaway {
@@ -21,29 +22,33 @@ using DisturbanceFeed = Published<DisturbanceState>;
 class SurfaceAtTime {
  public:
   explicit SurfaceAtTime(FieldAtTime waves,
-                         std::shared_ptr<const DisturbanceState> disturbances = nullptr)
-      : waves_(std::move(waves)), disturbances_(std::move(disturbances)) {}
+                         std::shared_ptr<const DisturbanceState> disturbances = nullptr,
+                         const WaterOutline* outline = nullptr)
+      : waves_(std::move(waves)), disturbances_(std::move(disturbances)), outline_(outline) {}
 
   double time() const { return waves_.time(); }
   const FieldAtTime& waves() const { return waves_; }
   /// Null where nothing disturbs the waves.
   const DisturbanceState* disturbances() const { return disturbances_.get(); }
+  /// Null where there is water everywhere.
+  const WaterOutline* outline() const { return outline_; }
 
-  /// See WaveField::sample; the same bits.
+  /// See WaveField::sample; the same bits. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, out, options);
     if (disturbances_) disturbances_->addTo(points, time(), out, options);
+    if (outline_) outline_->markDry(points, out);
   }
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept {
     SurfaceSample result = waves_.sample(point, options);
-    if (disturbances_) {
-      disturbances_->addTo(std::span(&point, 1), time(), std::span(&result, 1), options);
-    }
+    const std::span<const glm::dvec2> points(&point, 1);
+    if (disturbances_) disturbances_->addTo(points, time(), std::span(&result, 1), options);
+    if (outline_) outline_->markDry(points, std::span(&result, 1));
     return result;
   }
 
-  /// See FieldAtTime::Arrays.
+  /// See FieldAtTime::Arrays; the outline is not looked at.
   void sample(std::span<const double> x, std::span<const double> y, const FieldAtTime::Arrays& out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(x, y, out, options);
@@ -60,6 +65,7 @@ class SurfaceAtTime {
  private:
   FieldAtTime waves_;
   std::shared_ptr<const DisturbanceState> disturbances_;
+  const WaterOutline* outline_;
 };
 
 /// The one surface that physics asks and pictures draw: waves, and what disturbs them.
@@ -81,15 +87,23 @@ class WaterSurface {
     return feed_ ? feed_->latest() : nullptr;
   }
 
-  /// The surface prepared for one time; allocates.
-  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), disturbances()); }
+  /// Water only within `outline` from now on; null: everywhere. Not while others sample.
+  void setOutline(std::shared_ptr<const WaterOutline> outline) { outline_ = std::move(outline); }
+  /// Null where there is water everywhere.
+  const WaterOutline* outline() const { return outline_.get(); }
+  std::shared_ptr<const WaterOutline> sharedOutline() const { return outline_; }
 
-  /// See WaveField::sample.
+  /// The surface prepared for one time; allocates.
+  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), disturbances(), outline()); }
+
+  /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, t, out, options);
-    if (!feed_) return;
-    if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
+    if (feed_) {
+      if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
+    }
+    if (outline_) outline_->markDry(points, out);
   }
 
   SurfaceSample sample(glm::dvec2 point, double t,
@@ -108,6 +122,7 @@ class WaterSurface {
  private:
   WaveField waves_;
   std::shared_ptr<const DisturbanceFeed> feed_;
+  std::shared_ptr<const WaterOutline> outline_;
 };
 
 }  // namespace seaway

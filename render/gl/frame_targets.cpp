@@ -47,15 +47,28 @@ void readNormals(const FrameTargets& targets, Frame& frame) {
       const std::size_t to = static_cast<std::size_t>(y) * size.x + x;
       frame.normals[to] = frame.classes[to] == PixelClass::water
                               ? glm::normalize(glm::vec3(-from[x].x, -from[x].y, 1.0f))
-                          : frame.classes[to] == PixelClass::object ? glm::vec3(from[x])
-                                                                    : glm::vec3(0.0f);
+                          : frame.classes[to] == PixelClass::sky ? glm::vec3(0.0f)
+                                                                 : glm::vec3(from[x]);
+    }
+  }
+}
+
+void markGround(const FrameTargets& targets, Frame& frame) {
+  const glm::ivec2 size = targets.size;
+  std::vector<std::uint8_t> albedo(4 * frame.classes.size());  // bottom row first
+  glGetTextureImage(targets.albedo, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    static_cast<GLsizei>(albedo.size()), albedo.data());
+  for (std::size_t i = 0; i < frame.classes.size(); ++i) {
+    const std::size_t x = i % size.x, y = size.y - 1 - i / size.x;
+    if (frame.classes[i] == PixelClass::object && albedo[4 * (y * size.x + x) + 3] == 0) {
+      frame.classes[i] = PixelClass::ground;
     }
   }
 }
 
 }  // namespace
 
-void readBack(const FrameTargets& targets, Frame& frame) {
+void readBack(const FrameTargets& targets, bool groundIsShown, Frame& frame) {
   const glm::ivec2 size = targets.size;
   const std::size_t pixels = static_cast<std::size_t>(size.x) * size.y;
   std::vector<std::uint8_t> rgba(4 * pixels);
@@ -80,6 +93,7 @@ void readBack(const FrameTargets& targets, Frame& frame) {
                                                 : PixelClass::object;
     }
   }
+  if (groundIsShown) markGround(targets, frame);
   if (!frame.normals.empty()) readNormals(targets, frame);
 }
 

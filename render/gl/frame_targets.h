@@ -36,7 +36,8 @@ struct FrameTargets {
   GlTexture displayBytes_;
 };
 
-/// Copies `display` and `distance` into a frame of that size.
-void readBack(const FrameTargets& targets, Frame& frame);
+/// Copies `display` and `distance` into a frame of that size. Ground is an object without alpha in
+/// `albedo`: looked for where `groundIsShown`.
+void readBack(const FrameTargets& targets, bool groundIsShown, Frame& frame);
 
 }  // namespace seaway::render

@@ -6,7 +6,7 @@ namespace seaway::render {
 
 MarchedPass::MarchedPass()
     : march_(GlProgram::compute(
-          {"field_buffers.glsl", "field.glsl", "curved_sea.glsl", "march.comp"})),
+          {"field_buffers.glsl", "field.glsl", "curved_sea.glsl", "outline.glsl", "march.comp"})),
       depth_({"full_screen.vert"}, {"march_depth.frag"}),
       noVertices_(makeVertexArray()) {}
 
@@ -18,6 +18,7 @@ SeaPlacement MarchedPass::place(const View& view, const Projector& projector, gl
   const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
   nearDistance_ = static_cast<float>(camera.nearDistance);
   setCurvedSea(march_, camera);
+  waves_.useOutline(march_, view);
   march_.set("forward", glm::vec3(camera.forward()));
   march_.set("right", glm::vec3(-camera.left() * (tanY * camera.aspectRatio())));
   march_.set("up", glm::vec3(camera.up() * tanY));

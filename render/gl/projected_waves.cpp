@@ -23,13 +23,14 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
     stampTexture_ = stampPass_->draw(stamps, foot, rows_, size.x);
     clock_.stop();
   }
+  useOutline(map_.program(), view);
   clock_.start("heights");
   map_.fill(field, rows_, size.x, view.camera, stampTexture_);
   clock_.stop();
 }
 
 std::size_t ProjectedWaves::memoryBytes() const {
-  return map_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
+  return map_.memoryBytes() + outline_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
          rows_.capacity() * sizeof(TwinRow);
 }
 

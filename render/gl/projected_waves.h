@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/gl/gpu_clock.h"
+#include "render/gl/outline_buffers.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/stamp_pass.h"
 #include "render/gl/wave_map.h"
@@ -22,6 +23,11 @@ class ProjectedWaves {
   void fill(const View& view, const Projector& projector, glm::ivec2 size,
             std::span<const Stamp> stamps = {});
 
+  /// Tells a program where the view's sea has water; null outlines cost nothing.
+  void useOutline(const GlProgram& program, const View& view) {
+    outline_.use(program, view.water->sharedOutline(), view.camera);
+  }
+
   const WaveMap& map() const { return map_; }
   /// Stamps alone, as added to the map; 0 while there are none.
   GLuint stamps() const { return stampTexture_; }
@@ -35,6 +41,7 @@ class ProjectedWaves {
  private:
   GlVertexArray noVertices_;
   WaveMap map_;
+  OutlineBuffers outline_;
   std::optional<StampPass> stampPass_;
   GLuint stampTexture_ = 0;
   std::vector<TwinRow> rows_;

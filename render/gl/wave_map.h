@@ -27,6 +27,9 @@ class WaveMap {
   void fill(const FieldTwin& field, std::span<const TwinRow> rows, int columns,
             const Camera& camera, GLuint stamps = 0);
 
+  /// The program that fills the map: for what OutlineBuffers tells it.
+  const GlProgram& program() const { return program_; }
+
   GLuint texture() const { return texture_; }
   glm::ivec2 size() const { return size_; }
 

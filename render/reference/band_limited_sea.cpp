@@ -42,6 +42,8 @@ BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
 }
 
 BandLimitedSea::Point BandLimitedSea::at(glm::dvec2 place) const {
+  // Outside the outline it lies as the ground does.
+  if (water_.outline() && !water_.outline()->contains(foot_ + place)) return {};
   const double at = layout_.rowAt(place);
   const int near = std::min(static_cast<int>(at), layout_.size.y - 2);
   const Point before = row(near, foot_ + place);

@@ -179,8 +179,9 @@ vec3 wavesBetween(vec2 point, vec4 bandBefore, vec4 bandAfter, float share) {
 vec4 meet(Ray ray, inout float t, int row) {
   vec2 point = t * ray.level;
   Place place = placeAt(point, row);
-  vec3 waves = wavesBetween(point, rows[row].band, rows[row + 1].band, place.share);
-  if (stampsAreOn) waves += textureLod(stamps, mapCoordinate(place, point), 0.0).xyz;
+  bool dry = outlineIsOn && !isWater(point);
+  vec3 waves = dry ? vec3(0.0) : wavesBetween(point, rows[row].band, rows[row + 1].band, place.share);
+  if (stampsAreOn && !dry) waves += textureLod(stamps, mapCoordinate(place, point), 0.0).xyz;
   float off = aboveStillWater(ray, t) - waves.x;
   float rate = ray.sink + 2.0 * t * ray.bend - dot(waves.yz, ray.level);
   // Where the ray slides along a crest the step has no meaning; the map's crossing stands.

@@ -4,7 +4,10 @@ uniform bool stampsAreOn;
 
 vec4 waveTexel(ivec2 texel) {
   TwinRow row = rows[texel.y];
-  vec3 waves = wavesAt(gridPoint(row.line, float(texel.x)), row.band);
+  vec2 point = gridPoint(row.line, float(texel.x));
+  // Outside the outline the sea lies as the ground does.
+  if (outlineIsOn && !isWater(point)) return vec4(0.0, 0.0, 0.0, row.band.w);
+  vec3 waves = wavesAt(point, row.band);
   vec4 result = vec4(waves, row.band.w);
   if (stampsAreOn) result += texelFetch(stamps, texel, 0);
   return result;

@@ -33,6 +33,7 @@ struct Mask {
   hn::Mask<Floats> m;
 };
 HWY_INLINE Mask operator&&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
+HWY_INLINE Mask operator||(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
 HWY_INLINE bool anyOf(Mask a) { return !hn::AllFalse(Floats(), a.m); }
 
 struct Real {

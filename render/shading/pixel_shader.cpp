@@ -182,7 +182,7 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
   const VU kinds = hn::Load(Words(), reinterpret_cast<const std::uint32_t*>(span.kind + i));
   const Mask sky = isKind(kinds, ShadedAs::sky), water = isKind(kinds, ShadedAs::water);
   const Mask underside = isKind(kinds, ShadedAs::underside);
-  const Mask object = isKind(kinds, ShadedAs::object);
+  const Mask object = isKind(kinds, ShadedAs::object) || isKind(kinds, ShadedAs::ground);
 
   Real3 radiance(0.0f, 0.0f, 0.0f);
   if (anyOf(sky)) radiance = shader.skyPixel(ray / rayLength);

@@ -9,7 +9,13 @@
 namespace seaway::render {
 
 /// How a pixel is shaded.
-enum class ShadedAs : std::uint32_t { sky = 0, water = 1, underside = 2, object = 3 };
+enum class ShadedAs : std::uint32_t {
+  sky = 0,
+  water = 1,
+  underside = 2,
+  object = 3,
+  ground = 4,  ///< lit as an object
+};
 
 inline constexpr int pixelsPerSpan = 128;
 

@@ -7,6 +7,8 @@
 namespace seaway::render {
 namespace {
 
+static_assert(quadsPerBatch == SeaGrid::batch);
+
 constexpr float farBeside = 8192.0f;  // pixels: beyond, float edges lose a tenth of a pixel
 
 }  // namespace
@@ -35,6 +37,10 @@ void ScreenGrid::fill(const SeaGrid& grid, const Camera& camera) {
   for (int row = 0; row + 1 < size_.y; ++row) {
     for (int batch = 0; batch < batchesPerRow_; ++batch) {
       Extent& extent = extents_[static_cast<std::size_t>(row) * batchesPerRow_ + batch];
+      if (!grid.mayBeWet(row, batch)) {
+        extent = {1.0f, 0.0f};
+        continue;
+      }
       if (extentOf(row, batch, camera.size, extent) == Fate::clipped) {
         clip(grid, projection, row, batch);
       }

@@ -23,12 +23,13 @@ void store(const PixelSpan& span, std::size_t at, Frame& frame) {
     frame.depth.metres[at + i] = isSky ? infinity : span.axial[i];
     frame.classes[at + i] = isSky                                ? PixelClass::sky
                             : span.kind[i] == ShadedAs::object ? PixelClass::object
+                            : span.kind[i] == ShadedAs::ground ? PixelClass::ground
                                                                  : PixelClass::water;
   }
   if (frame.normals.empty()) return;
   for (int i = 0; i < span.count; ++i) {
     glm::vec3 normal(0.0f);
-    if (span.kind[i] == ShadedAs::object) {
+    if (span.kind[i] == ShadedAs::object || span.kind[i] == ShadedAs::ground) {
       normal = {span.normal[0][i], span.normal[1][i], span.normal[2][i]};
     } else if (span.kind[i] != ShadedAs::sky) {
       normal = glm::normalize(glm::vec3(-span.slopeX[i], -span.slopeY[i], 1.0f));
@@ -47,6 +48,7 @@ void StripTechnique::raster(const View& view, const Shown& shown) {
     const int top = i * rowsPerStrip;
     strips_[i].clear(top, std::min(rowsPerStrip, size.y - top), size.x, shown.objects);
     if (shown.water) rasterSea(view, strips_[i]);
+    if (!hollows_.empty()) cutHollows(hollows_, view.camera, strips_[i]);
     if (shown.objects) objects_.raster(strips_[i]);
   });
 }
@@ -72,6 +74,7 @@ void StripTechnique::shadeRow(const View& view, const ShadingConstants& constant
       std::fill_n(span.axial, pixelsPerSpan, 1.0f);
     }
     if (shown.objects) objects_.fillSpan(strip.object.data() + stripRow + first, inverse, span);
+    if (shore_) shore_->fillSpan(span);
     const std::size_t at = static_cast<std::size_t>(row) * size.x + first;
     shadeSpan(constants, constants.skyIsOn ? sky_->texels().data() : nullptr, span,
               frame.colour.rgb.data() + 3 * at);
@@ -104,6 +107,14 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
     objects_.fill(view.objects, view.camera);
     timer.finish("objects", Effect::vesselMeshes);
   }
+  shore_.reset();
+  if (const WaterOutline* outline = decideOutline(view, shown.water)) {
+    shore_.emplace(*outline, view.camera);
+    view.effects->chargeInside(Effect::outline, Effect::water);
+    view.effects->holdMemory(Effect::outline, outline->memoryBytes());
+  }
+  hollows_ = decideHollows(view, shown.water);
+  if (!hollows_.empty()) view.effects->chargeInside(Effect::hullMask, Effect::water);
   raster(view, shown);
   if (shown.water) timer.finish("water", water);
   const Lighting lighting = decideLighting(view, shown, sky_);

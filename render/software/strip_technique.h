@@ -3,8 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "render/hollows.h"
 #include "render/lighting_decision.h"
 #include "render/render_technique.h"
+#include "render/shore.h"
 #include "render/software/object_triangles.h"
 #include "render/software/raster.h"
 
@@ -37,6 +39,8 @@ class StripTechnique : public RenderTechnique {
   ObjectTriangles objects_;
   std::vector<Strip> strips_;
   std::optional<SkyDome> sky_;
+  std::optional<Shore> shore_;           // of this frame
+  std::vector<PlacedHollow> hollows_;  // of this frame
 };
 
 }  // namespace seaway::render

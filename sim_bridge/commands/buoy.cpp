@@ -167,6 +167,9 @@ BuoyRecord recordBuoy(const Sea& sea, glm::dvec2 place, double rate, std::size_t
   Progress progress("buoy", count);
   for (std::size_t i = 0; i < count; ++i) {
     const SurfaceSample sample = sea.surface.at(static_cast<double>(i) / rate).sample(place);
+    if (has(sample.status, SampleStatus::dry)) {
+      throw InputError("the buoy's place is outside the sea's outline: there is no water");
+    }
     record.heave.push_back(sample.height);
     record.slopeEast.push_back(sample.slope.x);
     record.slopeNorth.push_back(sample.slope.y);

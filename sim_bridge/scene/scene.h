@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,6 +14,8 @@
 #include "sim_bridge/scene/sea_state_file.h"
 #include "sim_bridge/scene/vessel_model.h"
 #include "surface/effects.h"
+#include "surface/outline/water_outline.h"
+#include "surface/spectra/two_peak_families.h"
 
 /// A scene as its file gives it, checked. Angles are compass degrees as in the file (their names
 /// say so); whoever uses them converts. Initial values are the defaults of the schema page.
@@ -26,13 +29,37 @@ struct Place {
 /// Flat water.
 struct CalmState {};
 
-/// A sea state by a JONSWAP spectrum (Pierson–Moskowitz: γ = 1).
+/// Which spectrum a parametric sea state has, by its key in the scene.
+enum class SpectralFamily {
+  jonswap,              ///< and Pierson–Moskowitz by H_m0 and T_p: γ = 1
+  piersonMoskowitzOfWind,
+  tma,
+  ochiHubble,
+  torsethaugen,
+  swell,
+  wmo,
+};
+
+/// How a parametric sea spreads over direction.
+enum class Spreading {
+  cosinePower,  ///< cos²ˢ with one s
+  mitsuyasu,    ///< cos²ˢ with Mitsuyasu's s by frequency, of a wind
+};
+
+/// A sea state by the parameters of a spectrum. Which of them count depends on the family.
 struct ParametricState {
+  SpectralFamily family = SpectralFamily::jonswap;
   double significantWaveHeight = 0.0;  ///< H_m0, m
   double peakPeriod = 0.0;             ///< T_p, s
   double peakEnhancement = 3.3;        ///< γ
+  double windSpeed = 0.0;              ///< m/s at 19.5 m, of a Pierson–Moskowitz sea
+  double width = 0.01;                 ///< of a swell's bell, Hz
+  std::optional<OchiHubblePart> swell, windSea;  ///< of an Ochi–Hubble sea; else the most probable
+  int code = 0;                                  ///< of the WMO's sea states
   double from_deg = 0.0;
+  Spreading spreading = Spreading::cosinePower;
   double spreadExponent = 10.0;  ///< s of cos²ˢ((θ − θ_m)/2); infinite: one direction
+  double spreadWind = 0.0;       ///< m/s at 10 m, for Mitsuyasu's spreading
   int octaves = 0;               ///< to fit; 0: 24 group octaves or 8 Perlin octaves
 };
 
@@ -58,6 +85,8 @@ struct SeaSettings {
   OctaveKind model = OctaveKind::group;  ///< of parametric states
   SeaState state;
   int stateLine = 0;  ///< where `sea.state` stands in the file
+  std::string outlinePath;  ///< as in the scene; empty: water everywhere
+  std::shared_ptr<const WaterOutline> outline;  ///< read by the loader
 };
 
 struct VesselStart {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim_bridge/scene/outline_file.h"
 #include "surface/geodesy.h"
 #include "surface/input_error.h"
 
@@ -82,6 +83,13 @@ void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geod
   }
 }
 
+void resolveOutline(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const YamlValue* key = document.find("sea")->find("outline");
+  if (!key) return;
+  scene.sea.outline =
+      std::make_shared<const WaterOutline>(loadOutline(referredFile(*key, scene.file), geodesy));
+}
+
 std::vector<std::string> vesselNames(const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneVessel& vessel : scene.vessels) names.push_back(vessel.name);
@@ -127,6 +135,7 @@ Scene loadScene(const fs::path& file) {
   scene.file = file;
   const Geodesy geodesy({scene.sea.anchor.latitude_deg, scene.sea.anchor.longitude_deg, 0.0});
   resolveSeaState(scene, document);
+  resolveOutline(scene, document, geodesy);
   resolveVessels(scene, document, geodesy);
   checkCameras(scene, document, geodesy);
   return scene;

@@ -1,5 +1,6 @@
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/schema_fields.h"
+#include "sim_bridge/scene/sea_state_schema.h"
 
 // The one table of a scene's keys.
 namespace seaway::bridge {
@@ -9,90 +10,10 @@ const Range latitudes = Range::within(-90.0, 90.0);
 const Range longitudes = Range::within(-180.0, 360.0);
 const Range compass = Range::within(-360.0, 360.0);
 
-constexpr int mostOctaves = 64;
-
-// Far beyond any water: all numbers downstream stay finite.
-void requireSeaLike(const ParametricState& state, const YamlValue& value) {
-  const auto check = [&](const char* key, double number, const Range& range, const char* unit) {
-    if (range.holds(number)) return;
-    const YamlValue& given = *value.find(key);
-    given.fail(given.scalar + " is not allowed; " + range.sentence() + " " + unit);
-  };
-  check("hm0_m", state.significantWaveHeight, Range::within(0.0, 1000.0), "m");
-  check("tp_s", state.peakPeriod, Range::within(0.01, 1e4), "s");
-}
-
 Mapping<Place> placeSchema() {
   return Mapping<Place>({
       number("latitude_deg", &Place::latitude_deg, "°", latitudes, "WGS84", Need::required),
       number("longitude_deg", &Place::longitude_deg, "°", longitudes, "WGS84", Need::required),
-  });
-}
-
-Mapping<ParametricState> parametricSchema(bool withPeakEnhancement) {
-  using P = ParametricState;
-  std::vector<Field<P>> fields{
-      number("hm0_m", &P::significantWaveHeight, "m", Range::above(0.0),
-             "significant wave height H_m0, at most 1000", Need::required),
-      number("tp_s", &P::peakPeriod, "s", Range::above(0.0), "peak period",
-             Need::required),
-      number("from_deg", &P::from_deg, "°", compass, "compass direction the waves come from",
-             Need::required),
-      number("spread_s", &P::spreadExponent, "1", Range::atLeast(0.5).orInfinite(),
-             "exponent s of the spreading cos²ˢ((θ − θ_m)/2) that the sea has at its frequencies"),
-      integer("octaves", &P::octaves, 0, mostOctaves,
-              "octaves to fit; 0: 24 group octaves or 8 Perlin octaves"),
-  };
-  if (withPeakEnhancement) {
-    fields.push_back(
-        number("gamma", &P::peakEnhancement, "1", Range::within(1.0, 20.0), "peak enhancement γ"));
-  }
-  return Mapping<P>(std::move(fields), requireSeaLike);
-}
-
-// γ is no key of a Pierson–Moskowitz sea: it is 1.
-Field<SeaState> piersonMoskowitzField() {
-  Field<SeaState> field = alternative<SeaState>("pierson_moskowitz", parametricSchema(false),
-                                                "fully developed wind sea");
-  field.read = [inner = parametricSchema(false)](SeaState& target, const YamlValue& value) {
-    ParametricState state = inner.read(value);
-    state.peakEnhancement = 1.0;
-    target = state;
-  };
-  return field;
-}
-
-Field<SeaState> octavesField() {
-  Field<FittedSeaState> octaves =
-      list("octaves", &FittedSeaState::octaves, octaveEntrySchema(), "the octaves themselves");
-  return {octaves.description, [=](SeaState& target, const YamlValue& value) {
-            FittedSeaState state;
-            octaves.read(state, value);
-            target = std::move(state);
-          }};
-}
-
-Field<SeaState> fileField() {
-  KeyDescription description{"file",
-                             "path",
-                             "",
-                             "",
-                             "",
-                             Need::optional,
-                             "sea state file of `seaway fit`, relative to the scene",
-                             {}};
-  return {std::move(description), [](SeaState& target, const YamlValue& value) {
-            target = FileState{readText(value), {}};
-          }};
-}
-
-Mapping<SeaState> stateSchema() {
-  return Mapping<SeaState>::oneOf({
-      alternative<SeaState>("calm", Mapping<CalmState>({}), "flat water"),
-      alternative<SeaState>("jonswap", parametricSchema(true), "wind sea by its spectrum"),
-      piersonMoskowitzField(),
-      fileField(),
-      octavesField(),
   });
 }
 
@@ -112,7 +33,10 @@ Mapping<SeaSettings> seaSchema() {
               "rules every random choice"),
       choice("model", &S::model, {{"group", OctaveKind::group}, {"perlin", OctaveKind::perlin}},
              "kind of octaves that parametric states become"),
-      mapping("state", &S::state, stateSchema(), "the waves", Need::required),
+      mapping("state", &S::state, seaStateSchema(), "the waves", Need::required),
+      text("outline", &S::outlinePath,
+           "GeoJSON file of the water's shores, relative to the scene; without it there is water "
+           "everywhere"),
   });
 }
 

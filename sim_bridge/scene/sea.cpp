@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
+#include "sim_bridge/scene/parametric_spectrum.h"
 #include "surface/angles.h"
 #include "surface/fit/octave_directions.h"
 #include "surface/fit/octave_fit.h"
 #include "surface/input_error.h"
 #include "surface/spectra/directional_spread.h"
-#include "surface/spectra/families.h"
 
 namespace seaway::bridge {
 namespace {
@@ -24,26 +24,28 @@ struct Waves {
 Waves wavesOf(const ParametricState& state, const Scene& scene) {
   const bool group = scene.sea.model == OctaveKind::group;
   const int count = state.octaves > 0 ? state.octaves : group ? 24 : 8;
+  const FrequencySpectrum target = spectrumOf(state, scene.sea.depth);
+  const auto exponentOf = exponentsOf(state, target, scene.sea.depth);
+  const bool oneDirection =
+      state.spreading == Spreading::cosinePower && std::isinf(state.spreadExponent);
   OctaveFitOptions options;
-  const bool pairs = group && !std::isinf(state.spreadExponent);
-  options.octaves = pairs ? octavesBeforeSpreading(count) : count;
+  options.octaves = group && !oneDirection ? octavesBeforeSpreading(count) : count;
   options.toward = towardFromCompassFrom(state.from_deg);
-  options.directionalWidth = directionalWidthFor(state.spreadExponent);
+  if (state.spreading == Spreading::cosinePower) {
+    options.directionalWidth = directionalWidthFor(state.spreadExponent);
+  }
   options.depth = scene.sea.depth;
-  const FrequencySpectrum target =
-      jonswap({state.significantWaveHeight, state.peakPeriod, state.peakEnhancement});
   OctaveFit fit = group ? fitGroupOctaves(target, options) : fitPerlinOctaves(target, options);
   if (!fit.summary.usable) throw InputError("cannot be fitted: " + fit.summary.message);
-  if (group) {
-    fit.octaves =
-        spreadDirections(fit.octaves, state.spreadExponent, static_cast<std::size_t>(count));
-  } else {
+  if (group && !oneDirection) {
+    fit.octaves = spreadDirections(fit.octaves, exponentOf, static_cast<std::size_t>(count));
+  } else if (!group) {
     unsigned index = 0;
     for (Octave& octave : fit.octaves) {
-      octave.toward += spreadQuantile(state.spreadExponent, vanDerCorput(index++));
+      octave.toward += spreadQuantile(exponentOf(octave), vanDerCorput(index++));
     }
   }
-  return {std::move(fit.octaves), state.significantWaveHeight};
+  return {std::move(fit.octaves), target.significantWaveHeight()};
 }
 
 Waves wavesOf(const CalmState&, const Scene&) { return {}; }
@@ -88,6 +90,10 @@ Sea buildSea(const Scene& scene) {
       waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
     }
     WaterSurface surface(fieldOf(std::move(waves.octaves), sea));
+    const EffectSetting shores = scene.effects[static_cast<std::size_t>(Effect::outline)];
+    if (sea.outline && shores != EffectSetting::off) {
+      surface.setOutline(sea.outline);
+    }
     const WaveField& field = surface.waves();
     std::vector<BlockedOctave> blocked =
         blockedOctaves(field.octaves(), sea.depth, field.settings().current);
@@ -119,7 +125,7 @@ double realisedSignificantWaveHeight(const WaterSurface& surface) {
   double sumOfSquares = 0.0;
   for (int time = 0; time < times; ++time) {
     for (glm::dvec2& place : places) place = 400.0 * longest * glm::dvec2(uniform(), uniform());
-    surface.sample(places, 1e4 * (uniform() + 0.5), samples);
+    surface.waves().sample(places, 1e4 * (uniform() + 0.5), samples);
     for (const SurfaceSample& sample : samples) {
       sum += sample.height;
       sumOfSquares += sample.height * sample.height;

@@ -43,8 +43,10 @@ Mapping<VesselDrawing> drawingSchema() {
   const Range reflectance = Range::within(0.0, 1.0);
   return Mapping<VesselDrawing>({
       choice("shape", &VesselDrawing::shape,
-             {{"launch", VesselShape::launch}, {"buoy", VesselShape::buoy}},
-             "what is drawn, stretched to the hull's dimensions"),
+             {{"launch", VesselShape::launch},
+              {"open_launch", VesselShape::openLaunch},
+              {"buoy", VesselShape::buoy}},
+             "what is drawn, stretched to the hull's dimensions; open_launch has a cockpit aft"),
       vector("hull_colour", &VesselDrawing::hullColour, "", reflectance,
              "linear reflectance: red, green, blue"),
       vector("deck_colour", &VesselDrawing::deckColour, "", reflectance,

@@ -12,7 +12,7 @@
 namespace seaway::bridge {
 
 /// How a vessel is drawn; its motion is always that of its box.
-enum class VesselShape { launch, buoy };
+enum class VesselShape { launch, openLaunch, buoy };
 
 struct VesselDrawing {
   VesselShape shape = VesselShape::launch;

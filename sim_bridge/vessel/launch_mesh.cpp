@@ -79,12 +79,64 @@ void addTransom(MeshPart& part, const Station& stern) {
   addQuad(part, stern.deck, stern.rail, mirrored(stern.rail), mirrored(stern.deck));
 }
 
-void addDeck(MeshPart& part, const std::array<Station, stationCount>& all) {
+/// A box-shaped well in the deck, between two stations.
+struct Cockpit {
+  int aft = 0, fore = 0;                    // stations; none where equal
+  float halfWidth = 0.0f, floor = 0.0f, top = 0.0f;  // m; top: the deck's lowest there
+  bool holds(int station) const { return station >= aft && station < fore; }
+};
+
+// Abaft the wheelhouse, its floor below the waterline and above the chine.
+Cockpit cockpitOf(const std::array<Station, stationCount>& all, const BoxHull& hull) {
+  Cockpit cockpit{1, 8, 1e9f, -0.35f * static_cast<float>(hull.draft()), 1e9f};
+  for (int i = cockpit.aft; i <= cockpit.fore; ++i) {
+    cockpit.halfWidth = std::min(cockpit.halfWidth, 0.72f * all[i].deck.y);
+    cockpit.top = std::min(cockpit.top, all[i].deck.z);
+  }
+  return cockpit;
+}
+
+void addDeck(MeshPart& part, const std::array<Station, stationCount>& all, const Cockpit& cockpit) {
   for (int i = 0; i + 1 < stationCount; ++i) {
     const glm::vec3 aft = all[i].deck;
     const glm::vec3 fore = all[i + 1].deck;
-    addQuad(part, mirrored(aft), mirrored(fore), fore, aft);
+    if (!cockpit.holds(i)) {
+      addQuad(part, mirrored(aft), mirrored(fore), fore, aft);
+      continue;
+    }
+    const glm::vec3 aftEdge(aft.x, cockpit.halfWidth, aft.z);
+    const glm::vec3 foreEdge(fore.x, cockpit.halfWidth, fore.z);
+    addQuad(part, aftEdge, foreEdge, fore, aft);
+    addQuad(part, mirrored(aft), mirrored(fore), mirrored(foreEdge), mirrored(aftEdge));
   }
+}
+
+// Floor and walls, seen from within.
+void addCockpit(MeshPart& floor, MeshPart& walls, const std::array<Station, stationCount>& all,
+                const Cockpit& cockpit) {
+  const float w = cockpit.halfWidth, low = cockpit.floor;
+  const auto at = [&](int station, float y, bool top) {
+    const glm::vec3 deck = all[station].deck;
+    return glm::vec3(deck.x, y, top ? deck.z : low);
+  };
+  for (int i = cockpit.aft; i < cockpit.fore; ++i) {
+    addQuad(floor, at(i, -w, false), at(i + 1, -w, false), at(i + 1, w, false), at(i, w, false));
+    addQuad(walls, at(i, w, false), at(i + 1, w, false), at(i + 1, w, true), at(i, w, true));
+    addQuad(walls, at(i + 1, -w, false), at(i, -w, false), at(i, -w, true), at(i + 1, -w, true));
+  }
+  const int aft = cockpit.aft, fore = cockpit.fore;
+  addQuad(walls, at(aft, -w, false), at(aft, w, false), at(aft, w, true), at(aft, -w, true));
+  addQuad(walls, at(fore, w, false), at(fore, -w, false), at(fore, -w, true), at(fore, w, true));
+}
+
+render::Mesh::Hollow hollowOf(const std::array<Station, stationCount>& all,
+                              const Cockpit& cockpit) {
+  return {{{1.0f, 0.0f, 0.0f, all[cockpit.fore].deck.x},
+           {-1.0f, 0.0f, 0.0f, -all[cockpit.aft].deck.x},
+           {0.0f, 1.0f, 0.0f, cockpit.halfWidth},
+           {0.0f, -1.0f, 0.0f, cockpit.halfWidth},
+           {0.0f, 0.0f, 1.0f, cockpit.top},
+           {0.0f, 0.0f, -1.0f, -cockpit.floor}}};
 }
 
 // A hatch coaming on the deck between two parts of the length.
@@ -140,6 +192,8 @@ render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
   const auto all = stations(hull);
   const Block house = wheelhouse(hull);
   const float length = static_cast<float>(hull.length);
+  const bool open = drawing.shape == VesselShape::openLaunch;
+  const Cockpit cockpit = open ? cockpitOf(all, hull) : Cockpit{};
   MeshPart bottom{{}, {0.22f, 0.04f, 0.03f}};
   MeshPart topsides{{}, drawing.hullColour};
   MeshPart deck{{}, drawing.deckColour};
@@ -152,9 +206,13 @@ render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
   addTransom(topsides, all.front());
   addStrake(superstructure, all, &Station::rail, &Station::capping);
   addStrake(superstructure, all, &Station::capping, &Station::deck);
-  addDeck(deck, all);
+  addDeck(deck, all, cockpit);
   addHatch(superstructure, hull, 0.80f, 0.86f);
-  addHatch(superstructure, hull, 0.12f, 0.26f);
+  if (open) {
+    addCockpit(deck, superstructure, all, cockpit);
+  } else {
+    addHatch(superstructure, hull, 0.12f, 0.26f);
+  }
   addBlock(superstructure, house);
   addWindowBand(windows, house, 0.52f, 0.84f, 0.02f);
   // Corner posts and mullions in front of the band's flat faces.
@@ -170,6 +228,7 @@ render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
   addRig(rig, house, hull);
   render::Mesh mesh;
   mesh.parts = {bottom, topsides, deck, superstructure, windows, rig};
+  if (open) mesh.hollows.push_back(hollowOf(all, cockpit));
   finish(mesh);
   return mesh;
 }
@@ -177,6 +236,7 @@ render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
 render::Mesh vesselMesh(const VesselModel& model) {
   switch (model.drawing.shape) {
     case VesselShape::launch:
+    case VesselShape::openLaunch:
       return launchMesh(model.hull, model.drawing);
     case VesselShape::buoy:
       return buoyMesh(model.hull, model.drawing);

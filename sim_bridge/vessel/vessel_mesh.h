@@ -9,7 +9,9 @@ namespace seaway::bridge {
 /// centre of the waterplane at rest). Parts are closed or seen from outside only.
 render::Mesh vesselMesh(const VesselModel& model);
 
-/// A launch: raked stem, flared bow, chine, sheer, transom; wheelhouse with windows; mast.
+/// A launch: raked stem, flared bow, chine, sheer, transom; wheelhouse with windows; mast. An open
+/// one has a cockpit abaft the wheelhouse, its floor below the waterline, and the hollow that keeps
+/// the sea out of it.
 render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing);
 
 /// A discus buoy: round hull, tripod tower with a lantern.

@@ -46,17 +46,19 @@ std::vector<double> relativeAngles(const std::vector<bool>& paired) {
 /// Mean angle for which the pairs have Σa² r cos θ / Σa² = `wanted`; 0 where the octaves' own
 /// widths already give less, and without pairs. Bisection: the sum falls with the angle.
 double meanAngle(const std::vector<Octave>& octaves, const std::vector<bool>& paired,
-                 const std::vector<double>& relative, double wanted) {
+                 const std::vector<double>& relative, const std::vector<double>& wanted) {
   const auto excess = [&](double angle) {
     double sum = 0.0;
     for (std::size_t i = 0; i < octaves.size(); ++i) {
       if (!paired[i]) continue;
       sum += variance(octaves[i]) *
-             (ownFirstMoment(octaves[i]) * std::cos(angle * relative[i]) - wanted);
+             (ownFirstMoment(octaves[i]) * std::cos(angle * relative[i]) - wanted[i]);
     }
     return sum;
   };
-  double low = 0.0, high = pi / (1.0 + alternation);
+  double widest = 1.0 + alternation;
+  for (const double angle : relative) widest = std::max(widest, angle);
+  double low = 0.0, high = pi / widest;
   for (int step = 0; step < 50; ++step) {
     const double middle = 0.5 * (low + high);
     (excess(middle) > 0.0 ? low : high) = middle;
@@ -85,10 +87,26 @@ double directionalWidthFor(double exponent) {
 std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves, double exponent,
                                      std::size_t count) {
   if (std::isinf(exponent)) return octaves;
+  return spreadDirections(octaves, [=](const Octave&) { return exponent; }, count);
+}
+
+std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves,
+                                     const std::function<double(const Octave&)>& exponentOf,
+                                     std::size_t count) {
+  if (octaves.empty()) return {};
   const std::size_t pairs = count > octaves.size() ? count - octaves.size() : 0;
   const std::vector<bool> paired = strongest(octaves, pairs);
-  const std::vector<double> relative = relativeAngles(paired);
-  const double angle = meanAngle(octaves, paired, relative, exponent / (exponent + 1.0));
+  std::vector<double> relative = relativeAngles(paired), firstMoment;
+  for (const Octave& octave : octaves) {
+    const double exponent = exponentOf(octave);
+    firstMoment.push_back(exponent / (exponent + 1.0));
+  }
+  // In units of the widest: 1 throughout where the exponent is one.
+  const double widest = std::acos(*std::min_element(firstMoment.begin(), firstMoment.end()));
+  for (std::size_t i = 0; i < relative.size(); ++i) {
+    relative[i] *= std::acos(firstMoment[i]) / widest;
+  }
+  const double angle = meanAngle(octaves, paired, relative, firstMoment);
   std::vector<Octave> spread;
   double leaning = 0.0;  // Σ a² sin θ of those that stand alone
   for (std::size_t i = 0; i < octaves.size(); ++i) {

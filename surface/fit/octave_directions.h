@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "surface/field/octave.h"
@@ -30,6 +31,12 @@ double directionalWidthFor(double exponent);
 /// same directions. tests/surface/octave_directions_test.cpp measures the moments by frequency:
 /// both within 5° where the sea has more than 0.3 of its peak's density.
 std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves, double exponent,
+                                     std::size_t count);
+
+/// The same with each octave's own exponent, finite and ≥ 0: θ follows the spread arccos r₁ of
+/// each octave, and Σa² cos θ of the pairs gives their Σa² r₁.
+std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves,
+                                     const std::function<double(const Octave&)>& exponentOf,
                                      std::size_t count);
 
 }  // namespace seaway

@@ -20,7 +20,8 @@ VesselModel model(VesselShape shape) {
 }
 
 TEST(VesselMesh, HasTheDimensionsOfItsBox) {
-  for (const VesselShape shape : {VesselShape::launch, VesselShape::buoy}) {
+  for (const VesselShape shape :
+       {VesselShape::launch, VesselShape::openLaunch, VesselShape::buoy}) {
     glm::vec3 least(1e9f);
     glm::vec3 most(-1e9f);
     const render::Mesh mesh = vesselMesh(model(shape));
@@ -50,6 +51,23 @@ TEST(VesselMesh, PlatingFacesOutwards) {
       if (std::abs(centre.y) < 0.3f) continue;  // keel, stem and transom cross the centreline
       EXPECT_GE(normal.y * centre.y, -1e-5f) << part << " " << centre.x;
     }
+  }
+}
+
+TEST(VesselMesh, AnOpenLaunchHasAHollowInsideItsHullThatReachesBelowTheWaterline) {
+  const render::Mesh mesh = vesselMesh(model(VesselShape::openLaunch));
+  ASSERT_EQ(mesh.hollows.size(), 1u);
+  const auto& planes = mesh.hollows[0].planes;
+  ASSERT_LE(planes.size(), render::Mesh::Hollow::mostPlanes);
+  const auto holds = [&](glm::vec3 place) {
+    return std::all_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
+      return glm::dot(glm::vec3(plane), place) < plane.w;
+    });
+  };
+  EXPECT_TRUE(holds({-3.5f, 0.0f, -0.1f}));
+  EXPECT_TRUE(holds({-3.5f, 0.9f, 0.1f}));
+  for (const auto& part : mesh.parts) {
+    for (const glm::vec3& vertex : part.vertices) EXPECT_FALSE(holds(vertex));
   }
 }
 
