@@ -18,6 +18,8 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
     {Effect::sun, "sun", "sun disc and its glitter on the water", "the sun is above the horizon"},
     {Effect::vesselMeshes, "vessel_meshes", "vessels in the picture",
      "a vessel's bounding sphere meets the camera's view"},
+    {Effect::wake, "wake", "waves that vessels make, felt by others and seen",
+     "a vessel is or was under way and another hull, a camera or a query is near"},
     {Effect::outline, "outline",
      "shores: no water beyond the sea's outline, for queries and pictures",
      "the sea has an outline"},

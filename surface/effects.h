@@ -22,6 +22,7 @@ enum class Effect : std::size_t {
   sky,
   sun,
   vesselMeshes,
+  wake,
   outline,
   hullMask,
   count

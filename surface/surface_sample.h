@@ -14,13 +14,17 @@ enum class SampleStatus : std::uint32_t {
   ok = 0,
   truncated = 1u << 0,   ///< octaves were left out, as the options allow; `error` says how much
   notFinite = 1u << 1,   ///< the point or the time was NaN or infinite; values are NaN
-  outOfRange = 1u << 2,  ///< a place or time too far to be served; values are NaN. The field sets it
-                         ///< beyond WaveField::farthest and latest, geodetic queries beyond
+  outOfRange = 1u << 2,  ///< a place or time too far to be served; values are NaN. The field sets
+                         ///< it beyond WaveField::farthest and latest, geodetic queries beyond
                          ///< Geodesy::usableRange
-  noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
-  aboveSurface = 1u << 4,  ///< the point is in the air: no water motion there, NaN
-  belowBed = 1u << 5,      ///< the point is in the sea bed, or the bed has fallen dry: NaN
-  dry = 1u << 8,           ///< outside the water's outline: there is no water, values are NaN
+  noKinematics = 1u << 3,   ///< the field has Perlin octaves: orbital motion is not defined, NaN
+  aboveSurface = 1u << 4,   ///< the point is in the air: no water motion there, NaN
+  belowBed = 1u << 5,       ///< the point is in the sea bed, or the bed has fallen dry: NaN
+  wakeOutOfTime = 1u << 6,  ///< the time is before or after the wakes' snapshot: its nearer end is
+                            ///< given
+  wakePartial = 1u << 7,  ///< some of a wake's waves are missing or too low here: the point lies in
+                          ///< a window's border, or beyond the window of the short waves
+  dry = 1u << 8,  ///< outside the water's outline: there is no water, values are NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {
@@ -42,8 +46,8 @@ struct SurfaceSample {
   /// Velocity of the water at the surface (east, north, up), m/s, the current not included; NaN
   /// unless SampleOptions asks for it.
   glm::dvec3 orbitalVelocity{std::numeric_limits<double>::quiet_NaN()};
-  double error = 0.0;             ///< one standard deviation of the height left out, m
-  double bound = 0.0;             ///< largest numerical error of the height, m
+  double error = 0.0;  ///< one standard deviation of the height left out, m
+  double bound = 0.0;  ///< largest numerical error of the height, m
   SampleStatus status = SampleStatus::ok;
 
   /// Upward unit normal of the surface.
@@ -62,7 +66,8 @@ struct SampleOptions {
   bool derivatives = true;
   bool orbitalVelocity = false;  ///< fill SurfaceSample::orbitalVelocity
   /// Handle of a vessel whose own waves are left out, 0 for none: a hull's wave-making is in its
-  /// resistance, it must not feel it twice. Without wakes in the scene there is nothing to leave out.
+  /// resistance, it must not feel it twice. Without wakes in the scene there is nothing to leave
+  /// out.
   std::uint32_t excludeVessel = 0;
 };
 

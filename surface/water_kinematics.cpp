@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "surface/constants.h"
+#include "surface/dispersion.h"
 
 namespace seaway {
 namespace {
@@ -37,8 +38,8 @@ WaterKinematics invalid(double surface, SampleStatus status) {
   return {surface, glm::dvec3(nan), glm::dvec3(nan), nan, nan, status};
 }
 
-/// What a point is given where the surface above it is `sample`: a height to stretch, or what forbids
-/// kinematics there.
+/// What a point is given where the surface above it is `sample`: a height to stretch, or what
+/// forbids kinematics there.
 WaterKinematics under(const SurfaceSample& sample, const WaveField& waves,
                       const glm::dvec3& point) noexcept {
   const double depth = waves.settings().depth;
@@ -68,14 +69,35 @@ void add(const GroupOctave& octave, const WaveField& waves, const glm::dvec3& po
                          stretchedHeight(point.z, sum.surfaceHeight, depth));
   const glm::dvec2 along = omega * decay.horizontal * octave.direction();
   sum.velocity += glm::dvec3(along * part.height, rate * decay.vertical);
-  sum.acceleration +=
-      glm::dvec3(along * rate, -omega * omega * part.height * decay.vertical);
+  sum.acceleration += glm::dvec3(along * rate, -omega * omega * part.height * decay.vertical);
   sum.dynamicPressure += weightDensity * part.height * decay.pressure;
 }
 
+/// Adds the motion of one vessel's waves at a point in the water.
+void add(const DisturbanceState& state, const VesselWaves& wake, double depth, double t,
+         const glm::dvec3& point, double stretched, WaterKinematics& sum) {
+  const DisturbanceState::Motion motion = state.motion(wake, glm::dvec2(point), t);
+  const double k = wake.meanWaveNumber;
+  if (!(k > 0.0)) return;
+  const DepthDecay decay(k, depth, stretched);
+  const double omega = angularFrequency(k, depth);
+  sum.dynamicPressure += weightDensity * motion.height * decay.pressure;
+  if (!motion.hasVelocity) {
+    sum.velocity = sum.acceleration = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    sum.status |= SampleStatus::noKinematics;
+    return;
+  }
+  sum.velocity +=
+      glm::dvec3(glm::dvec2(motion.velocity) * decay.pressure, motion.rate * decay.vertical);
+  // ∂u/∂t = −g∇η at the surface.
+  sum.acceleration += glm::dvec3(-standardGravity * glm::dvec2(motion.slope) * decay.pressure,
+                                 -omega * omega * motion.height * decay.vertical);
+}
+
 /// Kinematics of up to a tile of points.
-void sampleTile(const FieldAtTime& now, std::span<const glm::dvec3> points,
-                std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
+void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
+                std::span<const glm::dvec3> points, std::span<WaterKinematics> out,
+                const SampleOptions& options) noexcept {
   const WaveField& waves = now.field();
   const std::size_t count = points.size();
   std::array<glm::dvec2, pointsPerTile> places;
@@ -87,6 +109,9 @@ void sampleTile(const FieldAtTime& now, std::span<const glm::dvec3> points,
   SampleOptions heights = options;
   heights.derivatives = heights.orbitalVelocity = false;
   now.sample(at, std::span(surface.data(), count), heights);
+  if (disturbances) {
+    disturbances->addTo(at, now.time(), std::span(surface.data(), count), heights);
+  }
   for (std::size_t i = 0; i < count; ++i) {
     out[i] = under(surface[i], waves, points[i]);
     const double z = stretchedHeight(points[i].z, surface[i].height, waves.settings().depth);
@@ -98,6 +123,13 @@ void sampleTile(const FieldAtTime& now, std::span<const glm::dvec3> points,
     out[i].velocity = velocity[i];
     out[i].acceleration = acceleration[i];
     out[i].dynamicPressure = weightDensity * head[i];
+    if (disturbances) {
+      for (const VesselWaves& wake : disturbances->wakes()) {
+        if (options.excludeVessel != 0 && wake.vessel == options.excludeVessel) continue;
+        add(*disturbances, wake, waves.settings().depth, now.time(), points[i], stretched[i],
+            out[i]);
+      }
+    }
     out[i].pressure = out[i].dynamicPressure - weightDensity * points[i].z;
   }
 }
@@ -108,7 +140,16 @@ void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points
                       std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
-    sampleTile(now, points.subspan(first, count), out.subspan(first, count), options);
+    sampleTile(now, nullptr, points.subspan(first, count), out.subspan(first, count), options);
+  }
+}
+
+void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> points,
+                      std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
+  for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
+    const std::size_t count = std::min(pointsPerTile, points.size() - first);
+    sampleTile(now.waves(), now.disturbances(), points.subspan(first, count),
+               out.subspan(first, count), options);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "surface/field/wave_field.h"
+#include "surface/water_surface.h"
 
 namespace seaway {
 
@@ -34,7 +35,13 @@ struct WaterKinematics {
 void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points,
                       std::span<WaterKinematics> out, const SampleOptions& options = {}) noexcept;
 
-/// The same in double precision throughout, octave by octave as the equations read, some 0.1 µs a
+/// The same for the whole surface: heights are stretched about waves and disturbances together, and a
+/// wake's motion, known at the surface, decays with its mean wave number: exact at the surface, an
+/// estimate below. SampleOptions::excludeVessel leaves out a vessel's own.
+void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> points,
+                      std::span<WaterKinematics> out, const SampleOptions& options = {}) noexcept;
+
+/// The same as the first in double precision throughout, octave by octave as the equations read, some 0.1 µs a
 /// point and octave: the truth that `sampleKinematics` is tested against.
 void sampleKinematicsReference(const WaveField& waves, std::span<const glm::dvec3> points, double t,
                                std::span<WaterKinematics> out) noexcept;

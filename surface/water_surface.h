@@ -5,22 +5,31 @@
 #include <span>
 #include <utility>
 
+#include "surface/disturbance/disturbance_state.h"
+#include "surface/disturbance/published.h"
 #include "surface/field/wave_field.h"
 #include "surface/outline/water_outline.h"
 #include "surface/surface_sample.h"
 
 namespace seaway {
 
-/// The water surface prepared for one time: what to ask for many queries of few points at that time.
-/// Refers to the surface it comes from, which must outlive it. Const calls are thread-safe and
-/// allocate nothing.
+/// What disturbs a sea, as WakeSystem publishes it.
+using DisturbanceFeed = Published<DisturbanceState>;
+
+/// The water surface prepared for one time: what to ask for many queries of few points at that
+/// time. Refers to the surface it comes from, which must outlive it, and holds the disturbances of
+/// the moment it was made. Const calls are thread-safe and allocate nothing.
 class SurfaceAtTime {
  public:
-  explicit SurfaceAtTime(FieldAtTime waves, const WaterOutline* outline = nullptr)
-      : waves_(std::move(waves)), outline_(outline) {}
+  explicit SurfaceAtTime(FieldAtTime waves,
+                         std::shared_ptr<const DisturbanceState> disturbances = nullptr,
+                         const WaterOutline* outline = nullptr)
+      : waves_(std::move(waves)), disturbances_(std::move(disturbances)), outline_(outline) {}
 
   double time() const { return waves_.time(); }
   const FieldAtTime& waves() const { return waves_; }
+  /// Null where nothing disturbs the waves.
+  const DisturbanceState* disturbances() const { return disturbances_.get(); }
   /// Null where there is water everywhere.
   const WaterOutline* outline() const { return outline_; }
 
@@ -28,32 +37,55 @@ class SurfaceAtTime {
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, out, options);
+    if (disturbances_) disturbances_->addTo(points, time(), out, options);
     if (outline_) outline_->markDry(points, out);
   }
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept {
     SurfaceSample result = waves_.sample(point, options);
-    if (outline_) outline_->markDry(std::span(&point, 1), std::span(&result, 1));
+    const std::span<const glm::dvec2> points(&point, 1);
+    if (disturbances_) disturbances_->addTo(points, time(), std::span(&result, 1), options);
+    if (outline_) outline_->markDry(points, std::span(&result, 1));
     return result;
   }
 
-  /// See WaveField::heightBound.
-  double heightBound() const { return waves_.field().heightBound(); }
+  /// See FieldAtTime::Arrays; the outline is not looked at.
+  void sample(std::span<const double> x, std::span<const double> y, const FieldAtTime::Arrays& out,
+              const SampleOptions& options = {}) const noexcept {
+    waves_.sample(x, y, out, options);
+    if (disturbances_) {
+      disturbances_->addTo(x, y, time(), {out.height, out.slopeX, out.slopeY, out.rate}, options);
+    }
+  }
+
+  /// See WaveField::heightBound; disturbances included.
+  double heightBound() const {
+    return waves_.field().heightBound() + (disturbances_ ? disturbances_->heightBound() : 0.0);
+  }
 
  private:
   FieldAtTime waves_;
+  std::shared_ptr<const DisturbanceState> disturbances_;
   const WaterOutline* outline_;
 };
 
-/// The one surface that physics asks and pictures draw: waves now, disturbances as they come.
+/// The one surface that physics asks and pictures draw: waves, and what disturbs them.
 ///
 /// Heights are metres above the still-water level, points are metres of the sea plane, times are
 /// seconds since the scene's epoch. Const calls are thread-safe, allocate nothing and do not
-/// depend on who asks or in what order.
+/// depend on who asks or in what order; with disturbances they see those published last.
 class WaterSurface {
  public:
   explicit WaterSurface(WaveField waves) : waves_(std::move(waves)) {}
 
   const WaveField& waves() const { return waves_; }
+
+  /// Adds what `feed` publishes to the waves from now on (WakeSystem::feed); null: nothing. Not
+  /// while others sample.
+  void setDisturbances(std::shared_ptr<const DisturbanceFeed> feed) { feed_ = std::move(feed); }
+  /// Published last; null where nothing disturbs the waves.
+  std::shared_ptr<const DisturbanceState> disturbances() const noexcept {
+    return feed_ ? feed_->latest() : nullptr;
+  }
 
   /// Water only within `outline` from now on; null: everywhere. Not while others sample.
   void setOutline(std::shared_ptr<const WaterOutline> outline) { outline_ = std::move(outline); }
@@ -62,26 +94,34 @@ class WaterSurface {
   std::shared_ptr<const WaterOutline> sharedOutline() const { return outline_; }
 
   /// The surface prepared for one time; allocates.
-  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), outline()); }
+  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), disturbances(), outline()); }
 
   /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, t, out, options);
+    if (feed_) {
+      if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
+    }
     if (outline_) outline_->markDry(points, out);
   }
 
-  SurfaceSample sample(glm::dvec2 point, double t, const SampleOptions& options = {}) const noexcept {
+  SurfaceSample sample(glm::dvec2 point, double t,
+                       const SampleOptions& options = {}) const noexcept {
     SurfaceSample result;
     sample(std::span(&point, 1), t, std::span(&result, 1), options);
     return result;
   }
 
-  /// See WaveField::heightBound.
-  double heightBound() const { return waves_.heightBound(); }
+  /// See WaveField::heightBound; disturbances included.
+  double heightBound() const {
+    const auto state = disturbances();
+    return waves_.heightBound() + (state ? state->heightBound() : 0.0);
+  }
 
  private:
   WaveField waves_;
+  std::shared_ptr<const DisturbanceFeed> feed_;
   std::shared_ptr<const WaterOutline> outline_;
 };
 

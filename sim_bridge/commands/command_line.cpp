@@ -16,6 +16,7 @@
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
 #include "sim_bridge/commands/schema_command.h"
+#include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
 #include "sim_bridge/scene/schema.h"
 #include "surface/input_error.h"
@@ -26,7 +27,8 @@ namespace {
 // A new command is one line here.
 constexpr AddCommand commands[] = {
     addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
-    addExplainCommand, addCostCommand,  addBuoyCommand,   addSchemaCommand,
+    addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
+    addSchemaCommand,
 };
 
 constexpr int failed = 1;

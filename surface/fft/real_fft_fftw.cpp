@@ -2,20 +2,14 @@
 
 #include <cassert>
 #include <limits>
-#include <mutex>
 #include <stdexcept>
 #include <vector>
 
+#include "surface/fft/fftw_planning.h"
 #include "surface/fft/real_fft.h"
 
 namespace seaway {
 namespace {
-
-// FFTW's planner, destruction included, is not thread-safe; executing a plan is.
-std::mutex& planning() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 fftw_complex* asFftw(std::complex<double>* bins) { return reinterpret_cast<fftw_complex*>(bins); }
 
@@ -27,7 +21,7 @@ struct RealFft::Plan {
   Plan(const Plan&) = delete;
   Plan& operator=(const Plan&) = delete;
   ~Plan() {
-    const std::lock_guard lock(planning());
+    const std::lock_guard lock(fftwPlanning());
     fftw_destroy_plan(plan);
   }
 };
@@ -42,7 +36,7 @@ RealFft::RealFft(std::size_t size) : size_(size) {
   std::vector<std::complex<double>> out(bins());
   fftw_plan plan = nullptr;
   {
-    const std::lock_guard lock(planning());
+    const std::lock_guard lock(fftwPlanning());
     plan = fftw_plan_dft_r2c_1d(static_cast<int>(size), values.data(), asFftw(out.data()),
                                 FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
   }

@@ -29,7 +29,7 @@ double directionalWidthFor(double exponent);
 /// `octaves` from long waves to short; `exponent` s ≥ 0.5, infinite: nothing is done. Heights do
 /// not change: Σa² stays, and so does S(f). A function of the octaves alone: every seed gets the
 /// same directions. tests/surface/octave_directions_test.cpp measures the moments by frequency:
-/// mean within 1°, spread within 4° where the sea has more than 0.3 of its peak's density.
+/// both within 5° where the sea has more than 0.3 of its peak's density.
 std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves, double exponent,
                                      std::size_t count);
 

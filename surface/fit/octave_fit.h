@@ -31,7 +31,7 @@ struct OctaveFitOptions {
   /// Solver iterations for each solve, ≥ 1.
   int maxIterations = 100;
   /// Perlin octaves: trials of the first lattice size, ≥ 1; the best is kept.
-  int latticeTrials = 9;
+  int latticeTrials = 33;
 
   /// Group octaves: whether centres and bandwidths move, or stand at quantiles of the target.
   bool freeShapes = true;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "surface/disturbance/wake_grid.h"
+#include "surface/disturbance/wake_tables.h"
+#include "surface/fft/complex_fft.h"
+
+namespace seaway::wake {
+
+/// Turns a window's state into spline coefficients: η and ∂η/∂t in one complex transform, the
+/// potential (where `out` has one) two rows at a time in half of another. Zero columns are not
+/// transformed.
+void drawGrid(const WakeTables& tables, const ModePlane& real, const ModePlane& imaginary,
+              const ComplexFft& fft, WakeGrid& out);
+
+/// |Z| on the grid's cells, row by row, cells² values: for waves that all travel to one side, their
+/// envelope, m.
+std::vector<float> envelope(const WakeTables& tables, const ModePlane& real,
+                            const ModePlane& imaginary, const ComplexFft& fft);
+
+}  // namespace seaway::wake
