@@ -91,7 +91,8 @@ TEST(ExplainCommand, WhatIsOffCostsNothing) {
   const TempFolder folder;
   const auto scene = test::writeScene(folder);
   std::ofstream(scene, std::ios::app) << "effects: {waves: off, vessel_motion: off, water: off, "
-                                         "sky: off, sun: off, vessel_meshes: off}\n";
+                                         "sky: off, sun: off, vessel_meshes: off, wake: off, "
+                                         "outline: off, hull_mask: off}\n";
   const auto outcome = seaway({"explain", scene.string(), "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
