@@ -1,10 +1,11 @@
-// Time of fits (Google Benchmark); `fit_bench --sweep FOLDER` fits all records of an NDBC station's
+// Time of fits (Google Benchmark); `fit_bench --sweep FOLDER [STARTS]` fits all records of an NDBC station's
 // five files 41010.* in a folder, moors a buoy in each field, and prints how well they agree.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <vector>
@@ -83,7 +84,7 @@ void print(const char* name, std::vector<double> values) {
   std::printf("%-44s median %8.4f  97 %% %8.4f  worst %8.4f\n", name, at(0.5), at(0.97), at(1.0));
 }
 
-int sweep(const std::filesystem::path& folder) {
+int sweep(const std::filesystem::path& folder, int starts) {
   const auto records =
       readSpectra({folder / "41010.data_spec", folder / "41010.swdir", folder / "41010.swdir2",
                    folder / "41010.swr1", folder / "41010.swr2"});
@@ -91,7 +92,7 @@ int sweep(const std::filesystem::path& folder) {
   for (const SpectrumRecord& record : records) targets.push_back(record.spectrum);
   OctaveFitOptions options;
   options.octaves = 16;
-  options.starts = 4;
+  options.starts = starts;
   const auto fits = fitGroupOctaves(std::span<const DirectionalSpectrum>(targets), options);
   std::vector<double> residual, height, period, waveNumber, direction, spread, heights, periods;
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -113,7 +114,7 @@ int sweep(const std::filesystem::path& folder) {
     if (r1 < 0.5) continue;
     spread.push_back(std::abs(buoy.quantities[3].read - buoy.quantities[3].asked));
   }
-  std::printf("%zu records, 16 octaves, 4 starts; buoy: 3 h\n", fits.size());
+  std::printf("%zu records, 16 octaves, %d starts; buoy: 3 h\n", fits.size(), starts);
   print("residual of S(f), relative L2", residual);
   print("H_m0 over the band, % off", height);
   print("T_m02, % off", period);
@@ -129,7 +130,9 @@ int sweep(const std::filesystem::path& folder) {
 }  // namespace seaway
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::strcmp(argv[1], "--sweep") == 0) return seaway::sweep(argv[2]);
+  if (argc >= 3 && std::strcmp(argv[1], "--sweep") == 0) {
+    return seaway::sweep(argv[2], argc > 3 ? std::atoi(argv[3]) : 4);
+  }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
