@@ -308,7 +308,7 @@ GroupSolution solve(const GroupTarget& target, GroupState& state,
   solver.max_num_iterations = options.maxIterations;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   // Variances alone are cheap, and where shapes start from; shapes gain little beyond this.
-  solver.function_tolerance = options.freeShapes ? 7e-4 : 1e-9;
+  solver.function_tolerance = options.freeShapes ? 1e-3 : 1e-9;
   solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);

@@ -1,5 +1,6 @@
-// Time of fits (Google Benchmark); `fit_bench --sweep FOLDER [STARTS]` fits all records of an NDBC station's
-// five files 41010.* in a folder, moors a buoy in each field, and prints how well they agree.
+// Time of fits (Google Benchmark); `fit_bench --sweep FOLDER [STARTS]` fits all records of an NDBC
+// station's five files 41010.* in a folder, moors a buoy in each field, and prints how well they
+// agree.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -94,7 +95,8 @@ int sweep(const std::filesystem::path& folder, int starts) {
   options.octaves = 16;
   options.starts = starts;
   const auto fits = fitGroupOctaves(std::span<const DirectionalSpectrum>(targets), options);
-  std::vector<double> residual, height, period, waveNumber, direction, spread, heights, periods;
+  std::vector<double> residual, height, period, waveNumber, heights, periods;
+  std::vector<double> direction, directions, spread, spreads;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const OctaveFitSummary& s = fits[i].summary;
     if (!s.usable) {
@@ -110,9 +112,11 @@ int sweep(const std::filesystem::path& folder, int starts) {
     periods.push_back(buoy.quantities[1].deviations());
     if (buoy.quantities.size() < 4) continue;
     direction.push_back(std::abs(buoy.quantities[2].read - buoy.quantities[2].asked));
+    directions.push_back(buoy.quantities[2].deviations());
     const double r1 = 1.0 - 0.5 * std::pow(radiansFromDegrees(buoy.quantities[3].asked), 2);
     if (r1 < 0.5) continue;
     spread.push_back(std::abs(buoy.quantities[3].read - buoy.quantities[3].asked));
+    spreads.push_back(buoy.quantities[3].deviations());
   }
   std::printf("%zu records, 16 octaves, %d starts; buoy: 3 h\n", fits.size(), starts);
   print("residual of S(f), relative L2", residual);
@@ -122,7 +126,9 @@ int sweep(const std::filesystem::path& folder, int starts) {
   print("buoy: H_m0, standard errors off", heights);
   print("buoy: T_m02, standard errors off", periods);
   print("buoy: direction at the peak, deg off", direction);
+  print("buoy: direction, standard errors off", directions);
   print("buoy: spread at the peak (r1 >= 0.5), deg off", spread);
+  print("buoy: spread, standard errors off", spreads);
   return 0;
 }
 
