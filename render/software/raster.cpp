@@ -8,7 +8,11 @@
 namespace seaway::render {
 namespace {
 
-constexpr double slack = 1.0 / 1024.0;  // pixels, as in raster_kernels.cpp
+/// How far outside its edges, in pixels, a triangle still draws, so that neighbours leave no gap: for
+/// the sea as in raster_kernels.cpp; for objects, all in double, as little as rounding asks, since
+/// what an edge draws too much may lie before the face that it ends at.
+double slackOf(const ScreenTriangle& t) { return t.object == 0 ? 1.0 / 1024.0 : 1e-7; }
+
 constexpr int padding = 32;             // floats that kernels may touch past a row
 
 /// Planes in double, from which each row's start is worked out: exact for triangles of any size.
@@ -17,6 +21,7 @@ class LargeTriangle {
   explicit LargeTriangle(const ScreenTriangle& t) {
     const double area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
     const double turn = area < 0.0 ? -1.0 : 1.0;
+    const double slack = slackOf(t);
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       across_[k] = (t.y[k] - t.y[next]) * turn;
@@ -95,6 +100,7 @@ void rasterSea(const ScreenGrid& screen, Strip& strip) {
 void rasterTriangle(const ScreenTriangle& t, Strip& strip) {
   const auto [lowX, highX] = std::minmax({t.x[0], t.x[1], t.x[2]});
   const auto [lowY, highY] = std::minmax({t.y[0], t.y[1], t.y[2]});
+  const double slack = slackOf(t);
   const double right = std::min<double>(strip.width - 1, std::floor(highX + slack));
   const double left = std::max(0.0, std::ceil(lowX - slack));
   const double top = std::max<double>(strip.top, std::ceil(lowY - slack));
