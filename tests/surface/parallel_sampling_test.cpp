@@ -23,6 +23,7 @@ TEST(ParallelSampling, GivesTheSameBitsForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 5}) {
       std::fill(together.begin(), together.end(), SurfaceSample{});
       tbb::task_arena(threads).execute([&] { sampleInParallel(now, points, together); });
+      if (count == 0) continue;
       EXPECT_EQ(std::memcmp(alone.data(), together.data(), count * sizeof(SurfaceSample)), 0);
     }
   }
