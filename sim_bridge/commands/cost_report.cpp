@@ -41,20 +41,13 @@ void addStudy(const Study& study, HtmlPage& page) {
                     fmt::format("{:.4g} ± {:.2g}", point.cost, point.spread)});
   }
   page.table({"setting", "error, " + study.unitError, "cost, " + study.unitCost}, rows);
-  if (isOfPictures(study)) return;  // drawn together
+  // Pictures are drawn together; settings without a number are no steps of a dial.
+  if (isOfPictures(study) || study.points.back().dial == 0.0) return;
   Plot plot;
   plot.title = study.name;
   plot.x = {"cost, " + study.unitCost, true};
   plot.y = {"error, " + study.unitError, true};
-  // Settings without a number are ways to do it, not steps of a dial: points, each named.
-  if (study.points.back().dial > 0.0) {
-    addCurves(study, study.unitError, costOf, plot);
-  } else {
-    for (const CostPoint& point : study.points) {
-      plot.curves.push_back(
-          {point.setting, {point.cost}, {onLogarithm(point.error)}, CurveStyle::points});
-    }
-  }
+  addCurves(study, study.name, costOf, plot);
   page.figure(svgOf(plot), "Error against cost.");
 }
 
