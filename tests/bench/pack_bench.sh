@@ -17,7 +17,7 @@ for name in "${@:?names of benchmarks}"; do
   strip "$out/$name"
   ldd "$bench" | awk '$3 ~ /^\// {print $3}' | while read -r library; do
     case "$(basename "$library")" in
-      libc.so* | libm.so* | ld-linux*) ;;  # belong to the machine
+      libc.so* | libm.so* | libpthread.so* | libdl.so* | librt.so* | ld-linux*) ;;  # belong to the machine
       libEGL.so* | libGLdispatch.so*) cp -L "$library" "$out/glvnd/" ;;
       *) cp -L "$library" "$out/" ;;
     esac
