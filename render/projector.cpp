@@ -127,7 +127,7 @@ void Projector::fitRange(const std::vector<glm::dvec2>& basePoints) {
 glm::dvec2 Projector::basePoint(double u, double v) const {
   const glm::dvec3 point =
       glm::mix(glm::mix(corners_[0], corners_[1], u), glm::mix(corners_[2], corners_[3], u), v);
-  return glm::dvec2(point) / point.z;
+  return glm::dvec2(point) / point.z - origin_;
 }
 
 double Projector::along(double v) const {
@@ -201,7 +201,7 @@ std::vector<Projector::Line> Projector::lines(int count) const {
   const std::vector<VisibleShadow::Interval> ends = fittedRows(shadow_, ahead, sight);
   const glm::dvec2 right(azimuth_.y, -azimuth_.x);
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const glm::dvec2 middle = azimuth_ * ahead[i];
+    const glm::dvec2 middle = azimuth_ * ahead[i] - origin_;
     result[i] = {middle + right * ends[i].least, middle + right * ends[i].most};
   }
   return result;
@@ -211,7 +211,7 @@ Projector::GridFromPlane Projector::gridFromPlane() const {
   const double c = std::cos(depression_), s = std::sin(depression_);
   const double first = logarithm(0.0), last = logarithm(1.0);
   GridFromPlane g;
-  g.foot = glm::dvec2(position_);
+  g.foot = glm::dvec2(position_) - origin_;
   g.azimuth = glm::dvec2(azimuth_);
   g.cosine = c;
   g.sine = s;

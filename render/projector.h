@@ -47,6 +47,9 @@ class Projector {
   static std::optional<Projector> aimedAt(const Camera& camera, double heightBound,
                                           const ProjectorOptions& options = {});
 
+  /// From here on gives points relative to a place that lies `offset` m from the camera's foot.
+  void measureFrom(glm::dvec2 offset) { origin_ = offset; }
+
   /// Point of the still-water plane at (u, v) ∈ [0, 1]² of the range: the four homogeneous corners
   /// interpolated bilinearly, divided last. v grows with distance.
   glm::dvec2 basePoint(double u, double v) const;
@@ -98,6 +101,7 @@ class Projector {
   void standBack(const std::vector<glm::dvec2>& basePoints);
   void fitRange(const std::vector<glm::dvec2>& basePoints);
 
+  glm::dvec2 origin_{0.0};  // of the points given, from the camera's foot
   glm::dvec3 position_{0.0};
   glm::dvec2 azimuth_{1.0, 0.0};  // horizontal direction of the axis, unit
   double depression_ = 0.0;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
+#include <vector>
 
+#include "render/ordinary_views.h"
+#include "render/sea_grid.h"
 #include "surface/curvature.h"
 #include "tests/render/coverage.h"
 #include "tests/render/random_views.h"
@@ -72,6 +76,37 @@ std::size_t expectNothingMissed(const Camera& camera, double bound, std::span<co
     EXPECT_EQ(missed, 0u) << rows << " rows";
   }
   return places;
+}
+
+TEST(RowFit, MostVerticesLieInThePictureOverOrdinaryViews) {
+  // Johanson: usually 50–95 %, by a rectangle.
+  std::vector<double> shares;
+  SeaGrid grid;
+  for (unsigned i = 0; i < 200; ++i) {
+    const auto [camera, height] = ordinaryView(i);
+    const WaterSurface water = test::windSea(height, 30.0 + 12.0 * height);
+    const auto projector = Projector::aimedAt(camera, water.heightBound());
+    ASSERT_TRUE(projector);
+    grid.fill(water.at(1.0), camera, projectedLayout(*projector, water.waves(), {32, 64}));
+    shares.push_back(static_cast<double>(grid.verticesInFrustum(camera)) / (32 * 64));
+  }
+  std::nth_element(shares.begin(), shares.begin() + 100, shares.end());
+  EXPECT_GE(shares[100], 0.85);  // 1000 views of a finer grid: 0.9
+}
+
+TEST(RowFit, RowsOfALevelCameraAreAsWideAsItsView) {
+  const Camera camera = cameraAt({0, 0, 5}, 0.0, 0.0, 60.0);
+  const auto projector = Projector::aimedAt(camera, 1.0);
+  ASSERT_TRUE(projector);
+  const double tanX = std::tan(radiansFromDegrees(30.0)) * camera.aspectRatio();
+  for (const Projector::Line& line : projector->lines(200)) {
+    const double width = glm::distance(line.left, line.right);
+    const double along = glm::length(0.5 * (line.left + line.right));
+    if (along < 20.0 || along > 0.4 * projector->reach()) continue;
+    EXPECT_GE(width, 2.0 * along * tanX);
+    // A strip is as wide behind as its far end asks.
+    EXPECT_LE(width, 2.0 * along * tanX * 1.001) << along;
+  }
 }
 
 constexpr int manyAndFew[] = {1024, 128, 17, 2};
