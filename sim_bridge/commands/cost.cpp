@@ -75,7 +75,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
-    Progress progress("cost", 4);
+    Progress progress("cost", 6);
     studies.push_back(studyQueryOctaves(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
@@ -88,6 +88,14 @@ int runCost(const CostOptions& options, std::ostream& out) {
       }
     }
     progress.update(4);
+    studies.push_back(studyVertexEfficiency(sea, studyOptions));
+    progress.update(5);
+    if (!scene.cameras.empty()) {
+      for (Study& study : studySwimming(scene, sea, studyOptions)) {
+        studies.push_back(std::move(study));
+      }
+    }
+    progress.update(6);
   }
   const nlohmann::ordered_json json = asJson(studies, options.scene);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv"),
