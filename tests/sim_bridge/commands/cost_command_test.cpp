@@ -24,7 +24,8 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
                                (folder / "cost").string(), "--quick", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name : {"query_octaves", "fit_octaves", "image_depth_grid", "image_height_grid"}) {
+  for (const char* name : {"query_octaves", "fit_octaves", "image_depth_grid", "image_height_grid",
+                           "wake_cell", "wake_step", "wake_window"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
