@@ -203,22 +203,27 @@ HWY_INLINE void LocateAxis(const double* x, std::size_t count, double perCell, d
 
 template <bool kWithSlopes>
 HWY_INLINE void Locate(const SheetSampling& s, const double* x, const double* y, std::size_t count,
-                       Places& places) {
+                       bool allInside, Places& places) {
   alignas(64) float partY[kTogether];
   alignas(64) double paddedX[kTogether], paddedY[kTogether];
-  for (std::size_t p = 0; p < count; ++p) {
-    places.inside[p] = std::abs(x[p] - s.centreX) < s.half && std::abs(y[p] - s.centreY) < s.half;
-    paddedX[p] = places.inside[p] ? x[p] : s.centreX;
-    paddedY[p] = places.inside[p] ? y[p] : s.centreY;
-  }
-  // Whole vectors.
   const std::size_t lanes = hn::Lanes(hn::ScalableTag<float>());
-  const std::size_t filled = std::min(kTogether, (count + lanes - 1) / lanes * lanes);
-  std::fill(paddedX + count, paddedX + filled, s.centreX);
-  std::fill(paddedY + count, paddedY + filled, s.centreY);
+  std::size_t filled = count;
+  if (allInside && count % lanes == 0) {
+    std::fill_n(places.inside, count, true);
+  } else {
+    for (std::size_t p = 0; p < count; ++p) {
+      places.inside[p] = std::abs(x[p] - s.centreX) < s.half && std::abs(y[p] - s.centreY) < s.half;
+      paddedX[p] = places.inside[p] ? x[p] : s.centreX;
+      paddedY[p] = places.inside[p] ? y[p] : s.centreY;
+    }
+    filled = std::min(kTogether, (count + lanes - 1) / lanes * lanes);  // whole vectors
+    std::fill(paddedX + count, paddedX + filled, s.centreX);
+    std::fill(paddedY + count, paddedY + filled, s.centreY);
+    x = paddedX, y = paddedY;
+  }
   const auto cells = static_cast<double>(s.mask + 1);
-  LocateAxis(paddedX, filled, s.perCell, cells, places.partX, places.column);
-  LocateAxis(paddedY, filled, s.perCell, cells, partY, places.row);
+  LocateAxis(x, filled, s.perCell, cells, places.partX, places.column);
+  LocateAxis(y, filled, s.perCell, cells, partY, places.row);
   const hn::ScalableTag<float> f;
   for (std::size_t p = 0; p < filled; p += lanes) {
     const auto t = hn::Load(f, partY + p);
@@ -323,12 +328,13 @@ HWY_INLINE void AddPoint(const Sheet& sheet, const Places& places, std::size_t p
 
 template <SheetQuantities kWhat>
 HWY_INLINE void AddPoints(const SheetSampling& s, const double* x, const double* y,
-                          std::size_t count, PointSums* sums) {
+                          std::size_t count, bool allInside, PointSums* sums) {
   const Sheet sheet(s);
   Places places;
   for (std::size_t first = 0; first < count; first += kTogether) {
     const std::size_t some = std::min(kTogether, count - first);
-    Locate<kWhat != SheetQuantities::height>(s, x + first, y + first, some, places);
+    Locate<kWhat != SheetQuantities::height>(s, x + first, y + first, some, allInside,
+                                            places);
     for (std::size_t p = 0; p < some; ++p) {
       if (places.inside[p]) AddPoint<kWhat>(sheet, places, p, sums[first + p]);
     }
@@ -338,14 +344,14 @@ HWY_INLINE void AddPoints(const SheetSampling& s, const double* x, const double*
 }  // namespace
 
 void AddSheetKernel(const SheetSampling& s, SheetQuantities what, const double* x, const double* y,
-                    std::size_t count, PointSums* sums) {
+                    std::size_t count, bool allInside, PointSums* sums) {
   switch (what) {
     case SheetQuantities::height:
-      return AddPoints<SheetQuantities::height>(s, x, y, count, sums);
+      return AddPoints<SheetQuantities::height>(s, x, y, count, allInside, sums);
     case SheetQuantities::surface:
-      return AddPoints<SheetQuantities::surface>(s, x, y, count, sums);
+      return AddPoints<SheetQuantities::surface>(s, x, y, count, allInside, sums);
     case SheetQuantities::orbital:
-      return AddPoints<SheetQuantities::orbital>(s, x, y, count, sums);
+      return AddPoints<SheetQuantities::orbital>(s, x, y, count, allInside, sums);
   }
 }
 
@@ -361,8 +367,8 @@ namespace seaway::wake {
 HWY_EXPORT(AddSheetKernel);
 
 void addSheet(const SheetSampling& sheet, SheetQuantities what, const double* x, const double* y,
-              std::size_t count, PointSums* sums) {
-  HWY_DYNAMIC_DISPATCH(AddSheetKernel)(sheet, what, x, y, count, sums);
+              std::size_t count, bool allInside, PointSums* sums) {
+  HWY_DYNAMIC_DISPATCH(AddSheetKernel)(sheet, what, x, y, count, allInside, sums);
 }
 
 void setTime(SheetSampling& sheet, double before, double after, double time) {

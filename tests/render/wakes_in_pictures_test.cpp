@@ -7,6 +7,7 @@
 
 #include "render/compare_frames.h"
 #include "render/gl/projected_waves.h"
+#include "render/sea_grid.h"
 #include "render/wake_pyramid.h"
 #include "surface/constants.h"
 #include "surface/disturbance/wake_system.h"
@@ -21,7 +22,7 @@ constexpr double moment = 12.03;  // s: between the windows' steps
 
 /// A launch that has sailed 72 m eastwards to the origin, on a current; windows of 256 and 512 m.
 struct Sailed {
-  Sailed() : system({.current = {0.3, -0.2}, .window = 512.0}) {
+  Sailed() : system({.current = {0.3, -0.2}, .window = 512.0, .cascade = {}}) {
     const std::uint32_t vessel = system.addVessel(HullFootprint::wigley(12.0, 3.5, 0.8));
     for (int i = 0; i <= 121; ++i) {
       const double t = 0.1 * i;
@@ -124,16 +125,20 @@ TEST_F(WakesInTheWaveMap, AreThoseOfQueriesWhereTheGridIsAsFineAsTheirCells) {
 
 TEST_F(WakesInTheWaveMap, AreThoseOfTheProcessorsGridAtAnySpacing) {
   const glm::ivec2 size(96, 160);
-  const std::vector<glm::vec4> with = texels(disturbed_, size);
+  const std::vector<glm::vec4> without = texels(plain_, size), with = texels(disturbed_, size);
   const View view = viewOf(disturbed_, chaseCamera(), effects_);
   const auto projector = Projector::aimedAt(view.camera, disturbed_.heightBound());
-  SeaGrid grid;
-  grid.fill(disturbed_.at(moment), view.camera, projectedLayout(*projector, plain_.waves(), size));
+  const GridLayout layout = projectedLayout(*projector, plain_.waves(), size);
+  SeaGrid grid, undisturbed;
+  grid.fill(disturbed_.at(moment), view.camera, layout);
+  undisturbed.fill(plain_.at(moment), view.camera, layout);
   ASSERT_FALSE(grid.missingWakes().empty());
   float largestMissing = 0.0f;
   for (std::size_t i = 0; i < with.size(); ++i) {
-    // The twin's bound within a kilometre is 3e-4 m.
-    ASSERT_NEAR(with[i].x, grid.height()[i], 1e-3) << i;
+    // Coordinates in float, to 6e-5 m at a kilometre, times slopes of up to 1.
+    ASSERT_NEAR(with[i].x - without[i].x, grid.height()[i] - undisturbed.height()[i], 2e-4)
+        << "texel " << i << ", points " << layout.rows[i / size.x].plan.spacing << " m apart, sea "
+        << without[i].x - undisturbed.height()[i];
     const float missing = grid.missingSlope()[i / size.x] + grid.missingWakes()[i];
     // The card filters with eight bits of fraction where it likes.
     ASSERT_NEAR(with[i].w, missing, 1e-4 + 0.02 * grid.missingWakes()[i]) << i;
@@ -231,7 +236,7 @@ std::pair<double, double> seenAt(const WakeSheet& sheet, double spacing) {
 }
 
 TEST(WakePyramid, KeepsWavesOfFourSpacingsAndTurnsShorterOnesIntoRoughness) {
-  for (const double length : {4.0, 8.0, 16.0}) {
+  for (const double length : {4.0, 8.0}) {
     const WakeSheet sheet = waves(length);
     const double steepness = 2.0 * pi / length, whole = 0.5 * steepness * steepness;
     EXPECT_NEAR(seenAt(sheet, 0.5).first, 1.0, 1e-3) << length;
@@ -239,7 +244,8 @@ TEST(WakePyramid, KeepsWavesOfFourSpacingsAndTurnsShorterOnesIntoRoughness) {
     const auto [eighth, slopeEighth] = seenAt(sheet, length / 8.0);
     EXPECT_NEAR(eighth, 1.0, 2e-3) << length;
     const auto [quarter, slopeQuarter] = seenAt(sheet, length / 4.0);
-    EXPECT_NEAR(quarter, 0.975, 5e-3) << length;
+    // 97.5 % by the filter, of which a spline of four cells a wave gives 98.5 %.
+    EXPECT_NEAR(quarter, 0.961, 3e-3) << length;
     const auto [half, slopeHalf] = seenAt(sheet, length / 2.0);
     EXPECT_LT(half, 0.75) << length;
     EXPECT_GT(slopeHalf, 0.3 * whole) << length;
