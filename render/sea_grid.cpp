@@ -35,6 +35,12 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
   rowLargest_.resize(size_.y);
+  wakes_.fill(water.disturbances(), water.time(), glm::dvec2(camera.position), layout);
+  if (wakes_.empty()) {
+    missingWakes_ = {};
+  } else {
+    missingWakes_.assign(vertexCount(), 0.0f);
+  }
   wet_.clear();
   if (water.outline()) findWet(*water.outline(), camera, layout);
   tbb::parallel_for(0, size_.y, [&](int row) {
@@ -91,6 +97,13 @@ double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
   return largest;
 }
 
+/// Adds the wakes to waves at vertices from `at` on.
+void SeaGrid::addWakes(std::span<const double> x, std::span<const double> y, double spacing,
+                       std::size_t at, const FieldAtTime::Arrays& waves) {
+  const std::span<float> missing = std::span(missingWakes_).subspan(at, x.size());
+  wakes_.addTo(x, y, spacing, {waves.height, waves.slopeX, waves.slopeY, missing});
+}
+
 double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
                           const GridLayout::Row& layout, int row, int first, int count) {
   const auto& [start, step, plan] = layout;
@@ -111,15 +124,16 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
     water.waves().sample(xs, ys, fading.arrays(count),
                          {.shortestWavelength = plan.fadingWavelength});
   }
+  for (int i = 0; fades && i < count; ++i) {
+    waves.height[i] += weight * (fading.height[i] - waves.height[i]);
+    waves.slopeX[i] += weight * (fading.slopeX[i] - waves.slopeX[i]);
+    waves.slopeY[i] += weight * (fading.slopeY[i] - waves.slopeY[i]);
+  }
   double largest = 0.0;
   const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
+  if (asked && !wakes_.empty()) addWakes(xs, ys, plan.spacing, at, waves.arrays(count));
   for (int i = 0; i < count; ++i) {
     float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
-    if (fades) {
-      height += weight * (fading.height[i] - height);
-      slopeX += weight * (fading.slopeX[i] - slopeX);
-      slopeY += weight * (fading.slopeY[i] - slopeY);
-    }
     // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
     // outline it lies as the ground does.
     const bool dry = outline && (!asked || !outline->contains({x[i], y[i]}));
@@ -159,8 +173,9 @@ std::size_t SeaGrid::verticesInFrustum(const Camera& camera) const {
 
 std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
-          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
+          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
+         wakes_.memoryBytes() +
          rowLargest_.capacity() * sizeof(double) + wet_.capacity();
 }
 

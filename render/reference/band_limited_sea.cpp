@@ -22,23 +22,30 @@ bool carrySame(const BandLimit::Plan& a, const BandLimit::Plan& b) {
 
 }  // namespace
 
-BandLimitedSea::BandLimitedSea(const SurfaceAtTime& water, const GridLayout& layout,
-                               glm::dvec2 foot)
+BandLimitedSea::BandLimitedSea(const SurfaceAtTime& water, const WakesInView& wakes,
+                               const GridLayout& layout, glm::dvec2 foot)
     : water_(water),
+      wakes_(wakes),
       layout_(layout),
       foot_(foot),
       totalSlope_(BandLimit(water.waves().field()).totalSlope()),
+      steepestWake_(wakes.steepest()),
       bound_(water.heightBound()) {}
 
 BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
   const BandLimit::Plan& plan = layout_.rows[index].plan;
   const auto ask = [&](double shortest) {
-    const SurfaceSample sample = water_.sample(point, {.shortestWavelength = shortest});
+    const SurfaceSample sample = water_.waves().sample(point, {.shortestWavelength = shortest});
     return Point{sample.height, sample.slope, plan.missingSlope};
   };
-  const Point kept = ask(plan.keptWavelength);
-  if (plan.weight == 0.0) return kept;
-  return mixed(kept, ask(plan.fadingWavelength), plan.weight);
+  Point carried = ask(plan.keptWavelength);
+  if (plan.weight != 0.0) carried = mixed(carried, ask(plan.fadingWavelength), plan.weight);
+  if (wakes_.empty()) return carried;
+  float height = 0.0f, x = 0.0f, y = 0.0f, missing = 0.0f;
+  const auto one = [](auto& value) { return std::span(&value, 1); };
+  wakes_.addTo(one(point.x), one(point.y), plan.spacing, {one(height), one(x), one(y), one(missing)});
+  return {carried.height + height, carried.slope + glm::dvec2(x, y),
+          carried.missingSlope + missing};
 }
 
 BandLimitedSea::Point BandLimitedSea::at(glm::dvec2 place) const {
@@ -47,7 +54,9 @@ BandLimitedSea::Point BandLimitedSea::at(glm::dvec2 place) const {
   const double at = layout_.rowAt(place);
   const int near = std::min(static_cast<int>(at), layout_.size.y - 2);
   const Point before = row(near, foot_ + place);
-  if (carrySame(layout_.rows[near].plan, layout_.rows[near + 1].plan)) return before;
+  if (wakes_.empty() && carrySame(layout_.rows[near].plan, layout_.rows[near + 1].plan)) {
+    return before;
+  }
   return mixed(before, row(near + 1, foot_ + place), at - near);
 }
 
@@ -73,7 +82,7 @@ std::optional<double> BandLimitedSea::distance(double height, glm::dvec3 directi
     // Farther away than the highest crest, still water tells how far the next step may go.
     const double sinking = std::abs(direction.z) + bend * before + 1e-12;
     const double clear = (side * aboveStill(before) - bound_) / sinking;
-    const double steepest = 6.0 * carriedSlope(place(before));
+    const double steepest = 6.0 * carriedSlope(place(before)) + steepestWake_;
     const double safe = side * above / (sinking + level * steepest);
     const double step =
         std::clamp(std::max(clear, safe), 5e-4 * before + 1e-5, 0.5 * before + farthest / 16);

@@ -30,11 +30,12 @@ class ReferenceTechnique final : public StripTechnique {
     return points_.capacity() * sizeof(BandLimitedSea::Point);
   }
   BandLimitedSea sea(const View& view) const {
-    return {*water_, layout_, glm::dvec2(view.camera.position)};
+    return {*water_, wakes_, layout_, glm::dvec2(view.camera.position)};
   }
 
   ProjectedGridOptions options_;
   std::optional<SurfaceAtTime> water_;
+  WakesInView wakes_;
   GridLayout layout_;
   double reach_ = 0.0;
   std::vector<BandLimitedSea::Point> points_;  // one a pixel
@@ -51,6 +52,7 @@ bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
   stats.vertexEfficiency = 0.0;
   if (!placed) return false;
   water_.emplace(view.water->at(view.time));
+  wakes_.fill(water_->disturbances(), view.time, glm::dvec2(view.camera.position), layout_);
   points_.resize(static_cast<std::size_t>(view.camera.size.x) * view.camera.size.y);
   return true;
 }

@@ -19,7 +19,8 @@ namespace seaway::render {
 struct SpanInput {
   const float* inverse;
   const std::uint32_t* packed;
-  const float* missing;
+  const float* missing;       // by row
+  const float* missingWakes;  // by vertex; null: none
   const float* rowStart;
   const float* rowStep;
   glm::ivec2 size;
@@ -106,9 +107,16 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
   const Real missingNear = gather(in.missing, place.near);
   const Real missingFar = gather(in.missing, hn::Add(place.near, one));
+  Real missing = mix(missingNear, missingFar, v);
+  if (in.missingWakes) {
+    const Real nearer =
+        mix(gather(in.missingWakes, at), gather(in.missingWakes, hn::Add(at, one)), u);
+    const Real farther =
+        mix(gather(in.missingWakes, beyond), gather(in.missingWakes, hn::Add(beyond, one)), u);
+    missing = missing + mix(nearer, farther, v);
+  }
   return {low + (high - low) * v,
-          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
-          mix(missingNear, missingFar, v)};
+          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f), missing};
 }
 
 void FillSpan(const SpanInput& in, PixelSpan& span) {
@@ -163,6 +171,7 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   gridFromPlane_ = layout.fromPlane;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
+  missingWakes_ = grid.missingWakes().empty() ? nullptr : grid.missingWakes().data();
   rowStart_.resize(size_.y);
   rowStep_.resize(size_.y);
   const glm::dvec2 right(gridFromPlane_.azimuth.y, -gridFromPlane_.azimuth.x);
@@ -191,6 +200,7 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
+                        missingWakes_,
                         rowStart_.data(),
                         rowStep_.data(),
                         size_,

@@ -29,7 +29,7 @@ class SeaSlopes {
   glm::ivec2 size_{0};
   std::vector<std::uint32_t> packed_;  // slope x in the low 16 bits, y in the high ones
   std::vector<float> rowStart_, rowStep_;  // m across from the grid's foot; to the next column
-  const float* missing_ = nullptr;
+  const float *missing_ = nullptr, *missingWakes_ = nullptr;
 };
 
 }  // namespace seaway::render

@@ -26,7 +26,7 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   const auto report = nlohmann::json::parse(outcome.out);
   for (const char* name : {"query_octaves", "fit_octaves", "image_position_grid",
                            "image_depth_grid", "image_height_grid", "image_swimming",
-                           "image_swimming_turning"}) {
+                           "image_swimming_turning", "wake_cell", "wake_step", "wake_window"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
