@@ -12,7 +12,7 @@ std::optional<Projector> placeSea(const View& view, double projectorElevation,
                                   FrameStats& stats) {
   if (!view.water) return std::nullopt;
   const ProjectorOptions options{.elevation = projectorElevation};
-  double bound = view.water->heightBound();
+  double bound = view.water->heightBound(view.time);
   std::optional<Projector> projector;
   for (int attempt = 0; attempt < 4; ++attempt) {
     projector = Projector::aimedAt(view.camera, bound, options);

@@ -11,12 +11,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/grid_cover.h"
 #include "surface/curvature.h"
 
 namespace seaway::render {
 namespace {
 
-constexpr int chunk = 256;  // columns sampled at a time
+constexpr int chunk = gridChunk;  // columns sampled at a time
 
 /// Heights and slopes of a chunk of a row.
 struct Waves {
@@ -28,6 +29,15 @@ struct Waves {
   }
 };
 
+/// Takes `weight` of another set of waves for as much of these.
+void mixIn(const Waves& other, float weight, int count, Waves& waves) {
+  for (int i = 0; i < count; ++i) {
+    waves.height[i] += weight * (other.height[i] - waves.height[i]);
+    waves.slopeX[i] += weight * (other.slopeX[i] - waves.slopeX[i]);
+    waves.slopeY[i] += weight * (other.slopeY[i] - waves.slopeY[i]);
+  }
+}
+
 }  // namespace
 
 void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout) {
@@ -36,6 +46,12 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   missingSlope_.resize(size_.y);
   rowLargest_.resize(size_.y);
   wet_.clear();
+  const SurfaceDetail* detail = water.extras().detail.get();
+  if (detail && !detail->cover.empty()) {
+    cover_.resize(vertexCount());
+  } else {
+    cover_.clear();
+  }
   if (water.outline()) findWet(*water.outline(), camera, layout);
   tbb::parallel_for(0, size_.y, [&](int row) {
     rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
@@ -111,15 +127,19 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
     water.waves().sample(xs, ys, fading.arrays(count),
                          {.shortestWavelength = plan.fadingWavelength});
   }
+  if (fades) mixIn(fading, weight, count, waves);
+  GridCover cover;
+  if (asked) {
+    cover.sample(water, xs, ys);
+    addExtras(water, xs, ys, plan.keptWavelength, cover, waves.arrays(count));
+  }
   double largest = 0.0;
   const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
+  for (int i = 0; i < count && !cover_.empty(); ++i) {
+    cover_[at + i] = cover.any ? cover.packed(static_cast<std::size_t>(i)) : 0u;
+  }
   for (int i = 0; i < count; ++i) {
     float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
-    if (fades) {
-      height += weight * (fading.height[i] - height);
-      slopeX += weight * (fading.slopeX[i] - slopeX);
-      slopeY += weight * (fading.slopeY[i] - slopeY);
-    }
     // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
     // outline it lies as the ground does.
     const bool dry = outline && (!asked || !outline->contains({x[i], y[i]}));
@@ -161,7 +181,8 @@ std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
           slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
              sizeof(float) +
-         rowLargest_.capacity() * sizeof(double) + wet_.capacity();
+         cover_.capacity() * sizeof(std::uint32_t) + rowLargest_.capacity() * sizeof(double) +
+         wet_.capacity();
 }
 
 }  // namespace seaway::render

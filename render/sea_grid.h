@@ -32,6 +32,10 @@ class SeaGrid {
   /// Mean-square slope that a row does not carry.
   const std::vector<float>& missingSlope() const { return missingSlope_; }
 
+  /// What lies on the water at each vertex, foam, smoothed water and oil in the low three bytes;
+  /// empty: nothing anywhere.
+  const std::vector<std::uint32_t>& cover() const { return cover_; }
+
   /// Whether a batch of `batch` quads of a row, between it and the next, may show water: false only
   /// where the sea has an outline and none of the batch is inside. Vertices outside the outline lie
   /// at still-water level.
@@ -58,6 +62,7 @@ class SeaGrid {
 
   glm::ivec2 size_{0};
   std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_;
+  std::vector<std::uint32_t> cover_;
   std::vector<double> rowLargest_;
   std::vector<std::uint8_t> wet_;  // one a batch; empty: all
   double largestHeight_ = 0.0;

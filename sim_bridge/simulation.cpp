@@ -61,6 +61,7 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
                        EffectLedger* ledger)
     : scene_(&scene),
       sea_(&sea),
+      detail_(scene, sea),
       steps_(firstStep),
       time_(static_cast<double>(firstStep) * scene.run.step) {
   std::size_t count = 0;
@@ -91,7 +92,18 @@ void Simulation::forEachVessel(Action action) {
   }
 }
 
+// What lies on the water and ripples it goes over the sea.
+void Simulation::disturb(double t, EffectLedger* ledger) {
+  detail_.advance(t, ledger);
+  disturbed_ = nullptr;
+  if (!detail_.detail()) return;
+  auto disturbed = std::make_shared<WaterSurface>(sea_->surface);
+  disturbed->setDetail(detail_.detail());
+  disturbed_ = std::move(disturbed);
+}
+
 void Simulation::sampleAt(double t, EffectLedger* ledger) {
+  disturb(t, ledger);
   if (vessels_.empty()) return;
   std::size_t from = 0;
   for (const Vessel& vessel : vessels_) {
@@ -105,7 +117,7 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
                                                          : "flat water: the field has no octaves");
   if (charged) ledger->holdMemory(Effect::waves, waves.memoryBytes());
   EffectTimer timer(charged ? ledger : nullptr, Effect::waves);
-  sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
+  surface().sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
   requireAfloat(t);
 }
 

@@ -14,6 +14,7 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   const glm::dvec2 foot(view.camera.position);
   const FieldTwin field(view.water->waves(), view.time, foot);
   rows_ = twinRows(projector, view.water->waves(), size);
+  coverMap_.fill(*view.water, view.time, foot, rows_, size.x);
   glBindVertexArray(noVertices_);
   stampTexture_ = 0;
   if (!stamps.empty()) {
@@ -25,12 +26,17 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   }
   useOutline(map_.program(), view);
   clock_.start("heights");
-  map_.fill(field, rows_, size.x, view.camera, stampTexture_);
+  map_.fill(field, rows_, size.x, view.camera, stampTexture_, coverMap_.extras());
   clock_.stop();
 }
 
+void ProjectedWaves::useCover(const GlProgram& program) const {
+  program.set("coverIsOn", coverMap_.cover() != 0 ? 1 : 0);
+  if (coverMap_.cover() != 0) program.setTexture("coverMap", 2, coverMap_.cover());
+}
+
 std::size_t ProjectedWaves::memoryBytes() const {
-  return map_.memoryBytes() + outline_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
+  return map_.memoryBytes() + coverMap_.memoryBytes() + outline_.memoryBytes() + (stampPass_ ? stampPass_->memoryBytes() : 0) +
          rows_.capacity() * sizeof(TwinRow);
 }
 

@@ -65,6 +65,23 @@ GLuint ShadingTextures::ripples() {
   return ripples_;
 }
 
+GLuint ShadingTextures::foam() {
+  if (foam_ != 0) return foam_;
+  constexpr int wholeSide = ShadingTables::foamSide, levels = ShadingTables::foamLevels;
+  foam_ = makeTexture(GL_R32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
+  forEachLevel(wholeSide, levels, [&](int level, int side, int first) {
+    glTextureSubImage2D(foam_, level, 0, 0, side, side, GL_RED, GL_FLOAT,
+                        shadingTables().foam.data() + first);
+  });
+  glTextureParameteri(foam_, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(foam_, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return foam_;
+}
+
+std::size_t ShadingTextures::foamMemoryBytes() const {
+  return foam_ == 0 ? 0 : shadingTables().foam.size() * sizeof(float);
+}
+
 std::size_t ShadingTextures::skyMemoryBytes() const {
   return dome_ == 0 ? 0 : std::size_t{SkyDome::side} * SkyDome::side * 4 * 4 / 3;
 }

@@ -33,7 +33,9 @@ BandLimitedSea::BandLimitedSea(const SurfaceAtTime& water, const GridLayout& lay
 BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
   const BandLimit::Plan& plan = layout_.rows[index].plan;
   const auto ask = [&](double shortest) {
-    const SurfaceSample sample = water_.sample(point, {.shortestWavelength = shortest});
+    // Rain is left to shading.
+    const SurfaceSample sample = water_.sample(
+        point, {.shortestWavelength = std::max(shortest, 1.1 * Rain::wavelength)});
     return Point{sample.height, sample.slope, plan.missingSlope};
   };
   const Point kept = ask(plan.keptWavelength);

@@ -139,6 +139,21 @@ struct PixelShader : ShadingConstants {
     return {slope.x, slope.y, kept};
   }
 
+  /// The foam's pattern and the part of its variance that is left at a level.
+  HWY_INLINE Real2 foamTexel(Real2 coordinate, Real level) const {
+    const Real clamped = clamp(level, 0.0f, foamLastLevel), whole = floor(clamped);
+    const VI index = toInt(whole);
+    const Real here = gather(foamKept, index);
+    const Real kept = mix(here, gather(foamKept, hn::Add(index, setInt(1))), clamped - whole);
+    const Level l = levelOf(ShadingTables::foamSide, whole);
+    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
+    const Corners c = wrappedCorners(place, l.side, l.start);
+    const float* from = tables.foam.data();
+    return {mix(mix(gather(from, c.at[0]), gather(from, c.at[1]), c.part.x),
+                mix(gather(from, c.at[2]), gather(from, c.at[3]), c.part.x), c.part.y),
+            kept};
+  }
+
   HWY_INLINE Corners fresnelCorners(Real rootCosine, Real deviation) const {
     constexpr int columns = ShadingTables::fresnelColumns, rows = ShadingTables::fresnelRows;
     const float rowsPerSlope = (rows - 1) / static_cast<float>(fresnelTableRoughest);
@@ -164,6 +179,7 @@ struct PixelShader : ShadingConstants {
 
 #define SHADER HWY_INLINE
 #define INOUT(type) type&
+#include "render/shading/rain_rings.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
 #undef SHADER
 #undef INOUT
@@ -190,11 +206,16 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
   const Real3 relative = ray * axial;
   const Real distance = rayLength * axial;
   const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
+  Real3 cover(0.0f, 0.0f, 0.0f);
+  if (span.hasCover) {
+    cover = Real3(hn::Load(f, span.cover[0] + i), hn::Load(f, span.cover[1] + i),
+                  hn::Load(f, span.cover[2] + i));
+  }
   if (anyOf(water)) {
     radiance = choose(water,
                       shader.waterRadiance(relative, distance, slope,
                                            hn::Load(f, span.missingSlope + i),
-                                           hn::Load(f, span.height + i)),
+                                           hn::Load(f, span.height + i), cover),
                       radiance);
   }
   if (anyOf(underside)) {

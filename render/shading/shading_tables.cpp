@@ -9,6 +9,7 @@
 
 #include "render/fresnel.h"
 #include "render/ripples.h"
+#include "render/shading/foam_pattern.h"
 
 namespace seaway::render {
 namespace {
@@ -51,6 +52,27 @@ void addRipples(ShadingTables& tables) {
   }
 }
 
+void addFoam(ShadingTables& tables) {
+  std::vector<float> image = foamPattern(ShadingTables::foamSide);
+  int side = ShadingTables::foamSide;
+  for (int level = 0; level < ShadingTables::foamLevels; ++level, side /= 2) {
+    double squares = 0.0;
+    for (const float value : image) squares += (value - 0.5) * (value - 0.5);
+    tables.foam.insert(tables.foam.end(), image.begin(), image.end());
+    const bool last = level + 1 == ShadingTables::foamLevels;
+    tables.foamKept[level] =
+        last ? 0.0f : static_cast<float>(12.0 * squares / static_cast<double>(image.size()));
+    std::vector<float> half;
+    for (int y = 0; y < side; y += 2) {
+      for (int x = 0; x < side; x += 2) {
+        const float* at = &image[static_cast<std::size_t>(y) * side + x];
+        half.push_back(0.25f * (at[0] + at[1] + at[side] + at[side + 1]));
+      }
+    }
+    image.swap(half);
+  }
+}
+
 }  // namespace
 
 const ShadingTables& shadingTables() {
@@ -58,13 +80,14 @@ const ShadingTables& shadingTables() {
     ShadingTables made;
     addFresnel(made);
     addRipples(made);
+    addFoam(made);
     return made;
   }();
   return tables;
 }
 
 std::size_t ShadingTables::memoryBytes() const {
-  return (mirror.size() + area.size() + ripples.size()) * sizeof(std::uint32_t);
+  return (mirror.size() + area.size() + ripples.size() + foam.size()) * sizeof(std::uint32_t);
 }
 
 glm::vec2 unpackRipple(std::uint32_t texel) {

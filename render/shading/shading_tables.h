@@ -26,6 +26,11 @@ struct ShadingTables {
   /// Mean-square slope that is left in each level; level 0 has 1, the last none.
   float rippleKept[rippleLevels] = {};
 
+  /// foamPattern and its mip levels; of its variance, the part left in each level.
+  static constexpr int foamSide = 256, foamLevels = 6;
+  std::vector<float> foam;
+  float foamKept[foamLevels] = {};
+
   std::size_t memoryBytes() const;
 };
 

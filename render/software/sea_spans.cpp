@@ -19,6 +19,7 @@ struct SpanInput {
   const float* inverse;
   const std::uint32_t* packed;
   const float* missing;
+  const std::uint32_t* cover;
   glm::ivec2 size;
   Projector::GridFromPlane grid;
   float cameraHeight, pixelAngle;
@@ -74,7 +75,13 @@ struct Slope {
   Real2 mean;
   Real withinPixel;  // mean square of what changes within a pixel
   Real missing;
+  Real3 cover;
 };
+
+HWY_INLINE Real3 coverOf(VU word) {
+  return Real3(bitField<0, 8>(word), bitField<8, 8>(word), bitField<16, 8>(word)) *
+         Real(1.0f / 255.0f);
+}
 
 HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footprint,
                          Real footprintAhead) {
@@ -97,14 +104,21 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
   const Real missingNear = gather(in.missing, nearIndex);
   const Real missingFar = gather(in.missing, hn::Add(nearIndex, one));
+  Real3 cover(0.0f, 0.0f, 0.0f);
+  if (in.cover) {
+    const auto of = [&](VI index) HWY_ATTR { return coverOf(gather(in.cover, index)); };
+    cover = mix(mix(of(at), of(hn::Add(at, one)), u),
+                mix(of(beyond), of(hn::Add(beyond, one)), u), v);
+  }
   return {low + (high - low) * v,
           min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
-          mix(missingNear, missingFar, v)};
+          mix(missingNear, missingFar, v), cover};
 }
 
 void FillSpan(const SpanInput& in, PixelSpan& span) {
   const Floats f;
   const int lanes = static_cast<int>(laneCount());
+  span.hasCover = in.cover != nullptr;
   for (int i = 0; i < span.count; i += lanes) {
     const Real inverse = hn::LoadU(f, in.inverse + i);
     const Mask water = inverse > 0.0f;
@@ -137,6 +151,10 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
     hn::Store(slope.mean.y.v, f, span.slopeY + i);
     hn::Store((slope.missing + slope.withinPixel).v, f, span.missingSlope + i);
     hn::Store(height.v, f, span.height + i);
+    if (!in.cover) continue;
+    hn::Store(slope.cover.x.v, f, span.cover[0] + i);
+    hn::Store(slope.cover.y.v, f, span.cover[1] + i);
+    hn::Store(slope.cover.z.v, f, span.cover[2] + i);
   }
 }
 
@@ -154,6 +172,7 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   gridFromPlane_ = layout.fromPlane;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
+  cover_ = grid.cover().empty() ? nullptr : grid.cover().data();
   packed_.resize(grid.vertexCount());
   tbb::parallel_for(0, size_.y, [&](int row) {
     const std::size_t first = static_cast<std::size_t>(row) * size_.x;
@@ -174,6 +193,7 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
+                        cover_,
                         size_,
                         gridFromPlane_,
                         static_cast<float>(camera.position.z),

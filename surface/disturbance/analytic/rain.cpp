@@ -29,7 +29,10 @@ float unit(std::uint32_t bits) { return static_cast<float>(bits & 0xFFFFu) * (1.
 
 Rain Rain::ofRate(double rate, std::uint64_t seed) {
   const double part = std::clamp(rate / 50.0, 0.0, 1.0);
-  return {mostDrops * std::sqrt(part), static_cast<std::uint32_t>(mixSeed(seed))};
+  Rain rain;
+  rain.drops = mostDrops * std::sqrt(part);
+  rain.seed = static_cast<std::uint32_t>(mixSeed(seed));
+  return rain;
 }
 
 Rain::Drop Rain::drop(std::int64_t i, std::int64_t j, int slot, double t) const noexcept {
@@ -73,7 +76,7 @@ Rain::Ring Rain::ring(float r, float age) noexcept {
 
 Rain::Value Rain::at(glm::dvec2 point, double t) const noexcept {
   Value sum;
-  if (!falls() || !std::isfinite(point.x + point.y) || !std::isfinite(t)) return sum;
+  if (!falls(t) || !std::isfinite(point.x + point.y) || !std::isfinite(t)) return sum;
   // Of the four cells whose corner is nearest.
   const double x = point.x / cell - 0.5, y = point.y / cell - 0.5;
   const double left = std::floor(x), low = std::floor(y);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
 
 namespace seaway {
 
@@ -27,8 +28,11 @@ struct Rain {
 
   double drops = 0.0;  ///< a cell, mean, [0, mostDrops]
   std::uint32_t seed = 0;
+  double from = -std::numeric_limits<double>::infinity();  ///< falls from then, s
+  double to = std::numeric_limits<double>::infinity();     ///< till then, s
 
   bool falls() const { return drops > 0.0; }
+  bool falls(double t) const { return falls() && t >= from && t < to; }
 
   /// Height, m, and its derivatives. Zero where point or time are not finite.
   struct Value {

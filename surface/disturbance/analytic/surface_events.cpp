@@ -90,7 +90,7 @@ void SurfaceEvents::addTo(std::span<const glm::dvec2> points, double t,
     sample.orbitalVelocity +=
         glm::dvec3(splash.angularFrequency() * value.height * offset.outwards, value.byTime);
   });
-  if (!rain_.falls() || options.shortestWavelength > Rain::wavelength) return;
+  if (!rain_.falls(t) || options.shortestWavelength > Rain::wavelength) return;
   if (options.tolerance > Rain::ringHeight) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Rain::Value value = rain_.at(points[i], t);
@@ -121,7 +121,7 @@ void SurfaceEvents::addSplashes(std::span<const double> x, std::span<const doubl
 }
 
 double SurfaceEvents::heightBound(double t) const noexcept {
-  double bound = rain_.falls() ? Rain::ringHeight * 4 * Rain::mostDrops : 0.0;
+  double bound = rain_.falls(t) ? Rain::ringHeight * 4 * Rain::mostDrops : 0.0;
   for (const SplashRings& splash : splashesAbout(t)) {
     if (splash.isActive(t)) bound += splash.splash().height;
   }
