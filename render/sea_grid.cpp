@@ -45,6 +45,12 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
   rowLargest_.resize(size_.y);
+  wakes_.fill(water.disturbances(), water.time(), glm::dvec2(camera.position), layout);
+  if (wakes_.empty()) {
+    missingWakes_ = {};
+  } else {
+    missingWakes_.assign(vertexCount(), 0.0f);
+  }
   wet_.clear();
   const SurfaceDetail* detail = water.extras().detail.get();
   if (detail && !detail->cover.empty()) {
@@ -107,6 +113,13 @@ double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
   return largest;
 }
 
+/// Adds the wakes to waves at vertices from `at` on.
+void SeaGrid::addWakes(std::span<const double> x, std::span<const double> y, double spacing,
+                       std::size_t at, const FieldAtTime::Arrays& waves) {
+  const std::span<float> missing = std::span(missingWakes_).subspan(at, x.size());
+  wakes_.addTo(x, y, spacing, {waves.height, waves.slopeX, waves.slopeY, missing});
+}
+
 double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
                           const GridLayout::Row& layout, int row, int first, int count) {
   const auto& [start, step, plan] = layout;
@@ -138,6 +151,7 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
   for (int i = 0; i < count && !cover_.empty(); ++i) {
     cover_[at + i] = cover.any ? cover.packed(static_cast<std::size_t>(i)) : 0u;
   }
+  if (asked && !wakes_.empty()) addWakes(xs, ys, plan.spacing, at, waves.arrays(count));
   for (int i = 0; i < count; ++i) {
     float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
     // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
@@ -179,10 +193,10 @@ std::size_t SeaGrid::verticesInFrustum(const Camera& camera) const {
 
 std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
-          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
+          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
-         cover_.capacity() * sizeof(std::uint32_t) + rowLargest_.capacity() * sizeof(double) +
-         wet_.capacity();
+         wakes_.memoryBytes() + cover_.capacity() * sizeof(std::uint32_t) +
+         rowLargest_.capacity() * sizeof(double) + wet_.capacity();
 }
 
 }  // namespace seaway::render

@@ -14,8 +14,9 @@
 namespace seaway::bridge {
 namespace {
 
-constexpr double strokeLength = 0.125;  // s: the layers' own step of age
-constexpr double strokesPerPrune = 64.0;
+constexpr double strokeLength = 0.25;  // s
+constexpr double strokesPerPrune = 32.0;
+constexpr double longestTrail = 600.0;  // s
 
 EffectSetting settingOf(const Scene& scene, Effect effect) {
   return scene.effects[static_cast<std::size_t>(effect)];
@@ -162,12 +163,13 @@ bool SceneDetail::paint(double t, EffectLedger* ledger) {
   const bool trails = !trails_.empty();
   EffectTimer timer(trails ? ledger : nullptr, Effect::trail);
   const LayerAccuracy& accuracy = scene_->accuracy.layers;
-  long long next = last;
-  if (nextStroke_) next = *nextStroke_;
-  if (!nextStroke_ && trails) {
-    const double past = memoryOf(std::max(accuracy.foamLife, accuracy.smoothLife));
-    next = last - static_cast<long long>(std::ceil(std::min(past, 600.0) / strokeLength));
-  }
+  // What is older shows no more, or, of smoothed water, a twentieth: neither where all begins nor
+  // after a leap in time.
+  const double past = std::min(
+      std::max(memoryOf(accuracy.foamLife), 3.0 * accuracy.smoothLife), longestTrail);
+  const long long first =
+      trails ? last - static_cast<long long>(std::ceil(past / strokeLength)) : last;
+  long long next = std::max(nextStroke_.value_or(first), first);
   bool changed = false;
   const auto paintPatches = [&](double before) {
     for (; nextPatch_ < patches_.size() && patches_[nextPatch_].time <= before; ++nextPatch_) {

@@ -150,17 +150,23 @@ class WaterSurface {
   /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
-    waves_.sample(points, t, out, options);
-    if (extras_.events || extras_.detail) {
-      extras_.addTo(points, t, out, options,
-                    [&](auto some, auto samples, const SampleOptions& wanted) {
-                      waves_.sample(some, t, samples, wanted);
-                    });
-    }
+    sampleWithoutWakes(points, t, out, options);
     if (feed_) {
       if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
     }
     if (outline_) outline_->markDry(points, out);
+  }
+
+  /// The same without what the feed publishes, and without the outline.
+  void sampleWithoutWakes(std::span<const glm::dvec2> points, double t,
+                          std::span<SurfaceSample> out,
+                          const SampleOptions& options = {}) const noexcept {
+    waves_.sample(points, t, out, options);
+    if (!extras_.events && !extras_.detail) return;
+    extras_.addTo(points, t, out, options,
+                  [&](auto some, auto samples, const SampleOptions& wanted) {
+                    waves_.sample(some, t, samples, wanted);
+                  });
   }
 
   SurfaceSample sample(glm::dvec2 point, double t,

@@ -59,8 +59,8 @@ WhitecapRule::WhitecapRule(const WaveField& waves, double windSpeed) {
   mean = cover;
   perHeight = 1.0 / waves.standardDeviation();
   perSlope = alongSquare > 0.0 ? 1.0 / std::sqrt(alongSquare) : 0.0;
-  breaking = rampOfMean(breakingPart * cover, 0.5, 1.0);
-  old = rampOfMean((1.0 - breakingPart) * cover, 0.9, 0.8);
+  breaking = rampOfMean(breakingPart * cover, 1.4, 0.8);
+  old = rampOfMean((1.0 - breakingPart) * cover, 1.8, 0.5);
 }
 
 double WhitecapRule::cover(double height, glm::dvec2 slope) const {

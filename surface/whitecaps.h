@@ -21,7 +21,7 @@ double whitecapCover(double windSpeed);
 /// (tests/surface/whitecaps_test.cpp: within 10 % from 5 to 25 m/s).
 ///
 /// Besides, water steeper than waves stand is white, wherever it comes from: a wake's breaking bow
-/// wave. Slopes of 0.45 begin to break, those of 0.7 are all white (Stokes' highest wave: 0.577).
+/// wave. Slopes of 0.55 begin to break (Stokes' highest wave: 0.577), those of 0.85 are all white.
 struct WhitecapRule {
   WhitecapRule() = default;
   WhitecapRule(const WaveField& waves, double windSpeed);
@@ -40,7 +40,7 @@ struct WhitecapRule {
   Ramp old;                     ///< of B, 60° behind it: what breaking left
   static constexpr double aheadCosine = 0.857, aheadSine = 0.515;
   static constexpr double behindCosine = 0.5, behindSine = 0.866;
-  static constexpr double steep = 0.45, allSteep = 0.70;
+  static constexpr double steep = 0.55, allSteep = 0.85;
 
   /// Part of the water that is white where the surface has this height, m, and slope: [0, 1].
   double cover(double height, glm::dvec2 slope) const;

@@ -75,9 +75,9 @@ void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {
     program.set("perTotalSlope", c.perTotalSlope);
     program.set("breakingRamp", c.breakingRamp);
     program.set("oldRamp", c.oldRamp);
-    program.set("foamTexelsPerMetre", c.foamTexelsPerMetre);
     program.set("foamLastLevel", c.foamLastLevel);
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 3; ++i) {
+      program.set(element("foamTexelsPerMetre", i).c_str(), c.foamTexelsPerMetre[i]);
       program.set(element("foamAxis", i).c_str(), c.foamAxis[i]);
       program.set(element("foamOrigin", i).c_str(), c.foamOrigin[i]);
     }

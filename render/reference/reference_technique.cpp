@@ -32,11 +32,12 @@ class ReferenceTechnique final : public StripTechnique {
            cover_.capacity() * sizeof(glm::vec3);
   }
   BandLimitedSea sea(const View& view) const {
-    return {*water_, layout_, glm::dvec2(view.camera.position)};
+    return {*water_, wakes_, layout_, glm::dvec2(view.camera.position)};
   }
 
   ProjectedGridOptions options_;
   std::optional<SurfaceAtTime> water_;
+  WakesInView wakes_;
   GridLayout layout_;
   double reach_ = 0.0;
   std::vector<BandLimitedSea::Point> points_;  // one a pixel
@@ -54,6 +55,7 @@ bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
   stats.vertexEfficiency = 0.0;
   if (!placed) return false;
   water_.emplace(view.water->at(view.time));
+  wakes_.fill(water_->disturbances(), view.time, glm::dvec2(view.camera.position), layout_);
   points_.resize(static_cast<std::size_t>(view.camera.size.x) * view.camera.size.y);
   const SurfaceDetail* detail = view.water->extras().detail.get();
   cover_.resize(detail && !detail->cover.empty() ? points_.size() : 0);

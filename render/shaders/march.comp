@@ -186,7 +186,12 @@ vec4 meet(Ray ray, inout float t, int row) {
   Place place = placeAt(point, row);
   bool dry = outlineIsOn && !isWater(point);
   vec3 waves = dry ? vec3(0.0) : wavesBetween(point, rows[row].band, rows[row + 1].band, place.share);
-  if (stampsAreOn && !dry) waves += textureLod(stamps, mapCoordinate(place, point), 0.0).xyz;
+  float missing = mix(rows[row].band.w, rows[row + 1].band.w, place.share);
+  if (stampsAreOn && !dry) {
+    vec4 stamp = textureLod(stamps, mapCoordinate(place, point), 0.0);
+    waves += stamp.xyz;
+    missing += stamp.w;
+  }
   if (extrasAreOn && !dry) waves += textureLod(extras, mapCoordinate(place, point), 0.0).xyz;
   float off = aboveStillWater(ray, t) - waves.x;
   float rate = ray.sink + 2.0 * t * ray.bend - dot(waves.yz, ray.level);
@@ -194,7 +199,6 @@ vec4 meet(Ray ray, inout float t, int row) {
   float correction = -off / rate;
   float room = 0.5 * length(place.line.zw) / max(length(ray.level), 1e-6) + 1e-3 * t;
   if (abs(correction) < room) t += correction;
-  float missing = mix(rows[row].band.w, rows[row + 1].band.w, place.share);
   return vec4(waves.yz, missing, aboveStillWater(ray, t));
 }
 

@@ -24,9 +24,10 @@ uniform float rippleKept[8];
 
 uniform bool foamIsOn, rainIsOn;
 uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;
-uniform vec2 whitecapAlong, breakingRamp, foamTexelsPerMetre;
+uniform vec2 whitecapAlong, breakingRamp;
+uniform float foamTexelsPerMetre[3];
 uniform float whitecapPerHeight, whitecapMean, perTotalSlope, foamLastLevel;
-uniform vec2 foamAxis[2], foamOrigin[2];
+uniform vec2 foamAxis[3], foamOrigin[3];
 uniform float foamKept[8];
 uniform ivec2 rainCell, rainCode;  // column and row; count and seed
 uniform vec2 rainFoot;

@@ -140,39 +140,38 @@ SHADER Real whitecaps(Real2 slope, Real missingSlope, Real height) {
   Real crests =
       clamp((0.857f * elevation + 0.515f * ahead - breakingRamp.x) * breakingRamp.y, 0.0f, 1.0f) +
       clamp((0.5f * elevation - 0.866f * ahead - oldRamp.x) * oldRamp.y, 0.0f, 1.0f) * oldRamp.z;
-  crests = mix(Real(whitecapMean), crests, smoothstep(Real(0.01f), Real(0.15f), kept));
-  Real steep = (sqrt(dot(slope, slope)) - 0.45f) * 4.0f;
+  crests = mix(Real(whitecapMean), crests, smoothstep(Real(0.03f), Real(0.3f), kept));
+  Real steep = (sqrt(dot(slope, slope)) - 0.55f) * 3.3333333f;
   return clamp(max(crests, steep), 0.0f, 1.0f);
 }
 
-// How opaque foam of a cover is in a pixel: lace by two layers of a pattern whose numbers are
-// equally frequent, so that on average it is as white as the cover says; cover itself where the
-// pattern is too fine to be seen.
+// How opaque foam of a cover is in a pixel: patches and lace by three layers of a pattern whose
+// numbers are equally frequent, so that on average it is as white as the cover says; cover itself
+// where the pattern is too fine to be seen.
 SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
-  Real level = log2(max(footprint * foamTexelsPerMetre.x, 1e-6f));
-  Real finer = log2(max(footprint * foamTexelsPerMetre.y, 1e-6f));
-  Real2 coarse = Real2(0.5f, 0.0f);
-  Real2 fine = Real2(0.5f, 0.0f);
-  Real x = relative.x;
-  Real y = relative.y;
-  if (anyOf(level < foamLastLevel)) {
-    coarse = foamTexel(Real2(foamOrigin[0].x + foamAxis[0].x * x + foamAxis[0].y * y,
-                             foamOrigin[0].y - foamAxis[0].y * x + foamAxis[0].x * y),
-                       level);
+  Real sum = Real(0.0f);
+  Real kept = Real(0.0f);
+  for (int i = 0; i < 3; ++i) {
+    Real level = log2(max(footprint * foamTexelsPerMetre[i], 1e-6f));
+    Real2 number = Real2(0.5f, 0.0f);
+    if (anyOf(level < foamLastLevel)) {
+      vec2 axis = foamAxis[i];
+      number = foamTexel(Real2(foamOrigin[i].x + axis.x * relative.x + axis.y * relative.y,
+                               foamOrigin[i].y - axis.y * relative.x + axis.x * relative.y),
+                         level);
+    }
+    sum = sum + number.x;
+    kept = kept + number.y * 0.33333333f;
   }
-  if (anyOf(finer < foamLastLevel)) {
-    fine = foamTexel(Real2(foamOrigin[1].x + foamAxis[1].x * x + foamAxis[1].y * y,
-                           foamOrigin[1].y - foamAxis[1].y * x + foamAxis[1].x * y),
-                     finer);
-  }
-  // The mean of two is spread like a gable; this makes it even again.
-  Real both = 0.5f * (coarse.x + fine.x);
-  Real over = 1.0f - both;
-  Real even = choose(both < 0.5f, 2.0f * both * both, 1.0f - 2.0f * over * over);
-  // A ramp of width 1/g has the mean of the cover for this threshold.
-  Real threshold = choose(cover < 0.16666667f, sqrt(cover * 0.66666667f), cover + 0.16666667f);
-  Real lace = clamp((even - 1.0f + threshold) * 3.0f, 0.0f, 1.0f);
-  return mix(cover, lace, 0.5f * (coarse.y + fine.y));
+  // The sum of three is spread as Irwin and Hall say; this makes it even again.
+  Real over = 3.0f - sum;
+  Real middle = sum * (sum * (9.0f - 2.0f * sum) - 9.0f) + 3.0f;
+  Real outer = choose(sum < 1.5f, sum * sum * sum, 6.0f - over * over * over);
+  Real even = choose(abs(sum - 1.5f) < 0.5f, middle, outer) * 0.16666667f;
+  // A ramp of width ½ has the mean of the cover for this threshold.
+  Real threshold = choose(cover < 0.25f, sqrt(cover), cover + 0.25f);
+  Real lace = clamp((even - 1.0f + threshold) * 2.0f, 0.0f, 1.0f);
+  return mix(cover, lace, kept);
 }
 
 // `cover`: foam that lies on the water, smoothed water, oil; each in [0, 1].

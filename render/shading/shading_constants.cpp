@@ -119,12 +119,12 @@ void setFoam(ShadingConstants& c, const View& view) {
   c.oldRamp = {rule.old.threshold, 1.0 / rule.old.width, rule.old.most};
   c.foamLastLevel = ShadingTables::foamLevels - 1.0f;
   std::copy(std::begin(shadingTables().foamKept), std::end(shadingTables().foamKept), c.foamKept);
-  // Sizes and angles without a common measure: the two repeat together nowhere in view. Foam is
+  // Sizes and angles without a common measure: the three repeat together nowhere in view. Foam is
   // carried along by the current.
-  const double sides[2] = {7.3, 2.37}, angles[2] = {0.35, 1.93};
+  const double sides[3] = {61.0, 9.7, 2.37}, angles[3] = {0.85, 0.35, 1.93};
   const glm::dvec2 foot =
       glm::dvec2(view.camera.position) - waves.settings().current * view.time;
-  for (int layer = 0; layer < 2; ++layer) {
+  for (int layer = 0; layer < 3; ++layer) {
     const glm::dvec2 axis = unitVector(angles[layer]) / sides[layer];
     c.foamAxis[layer] = glm::vec2(axis);
     c.foamOrigin[layer] = glm::vec2(glm::fract(

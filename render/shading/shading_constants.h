@@ -53,8 +53,8 @@ struct ShadingConstants {
   float perTotalSlope = 0.0f;        ///< 1 / mean-square slope of the field
   glm::vec2 breakingRamp{9e9f, 1.0f};  ///< threshold, 1/width
   glm::vec3 oldRamp{9e9f, 1.0f, 0.0f};  ///< threshold, 1/width, most
-  glm::vec2 foamAxis[2]{}, foamOrigin[2]{};  ///< pattern from metres: first axis; the foot's place
-  glm::vec2 foamTexelsPerMetre{1.0f};
+  glm::vec2 foamAxis[3]{}, foamOrigin[3]{};  ///< pattern from metres: first axis; the foot's place
+  float foamTexelsPerMetre[3]{};
   float foamLastLevel = 0.0f;  ///< mip level from which on nothing of the pattern is left
   float foamKept[8]{};         ///< part of the pattern's variance that is left in each
   // rain (Rain)

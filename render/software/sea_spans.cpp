@@ -18,8 +18,9 @@ namespace seaway::render {
 struct SpanInput {
   const float* inverse;
   const std::uint32_t* packed;
-  const float* missing;
-  const std::uint32_t* cover;
+  const float* missing;        // by row
+  const float* missingWakes;   // by vertex; null: none
+  const std::uint32_t* cover;  // by vertex; null: none
   glm::ivec2 size;
   Projector::GridFromPlane grid;
   float cameraHeight, pixelAngle;
@@ -104,6 +105,13 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
   const Real missingNear = gather(in.missing, nearIndex);
   const Real missingFar = gather(in.missing, hn::Add(nearIndex, one));
+  Real missing = mix(missingNear, missingFar, v);
+  if (in.missingWakes) {
+    const Real nearer = mix(gather(in.missingWakes, at), gather(in.missingWakes, hn::Add(at, one)), u);
+    const Real farther =
+        mix(gather(in.missingWakes, beyond), gather(in.missingWakes, hn::Add(beyond, one)), u);
+    missing = missing + mix(nearer, farther, v);
+  }
   Real3 cover(0.0f, 0.0f, 0.0f);
   if (in.cover) {
     const auto of = [&](VI index) HWY_ATTR { return coverOf(gather(in.cover, index)); };
@@ -111,8 +119,8 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
                 mix(of(beyond), of(hn::Add(beyond, one)), u), v);
   }
   return {low + (high - low) * v,
-          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
-          mix(missingNear, missingFar, v), cover};
+          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f), missing,
+          cover};
 }
 
 void FillSpan(const SpanInput& in, PixelSpan& span) {
@@ -173,6 +181,7 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
   cover_ = grid.cover().empty() ? nullptr : grid.cover().data();
+  missingWakes_ = grid.missingWakes().empty() ? nullptr : grid.missingWakes().data();
   packed_.resize(grid.vertexCount());
   tbb::parallel_for(0, size_.y, [&](int row) {
     const std::size_t first = static_cast<std::size_t>(row) * size_.x;
@@ -193,6 +202,7 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
+                        missingWakes_,
                         cover_,
                         size_,
                         gridFromPlane_,

@@ -25,7 +25,7 @@ class SeaSlopes {
   Projector::GridFromPlane gridFromPlane_;
   glm::ivec2 size_{0};
   std::vector<std::uint32_t> packed_;  // slope x in the low 16 bits, y in the high ones
-  const float* missing_ = nullptr;
+  const float *missing_ = nullptr, *missingWakes_ = nullptr;
   const std::uint32_t* cover_ = nullptr;  // null: nothing lies on the water
 };
 

@@ -72,19 +72,21 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
-    Progress progress("cost", 4);
+    Progress progress("cost", 5);
     studies.push_back(studyQueryOctaves(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(2);
     studies.push_back(studyFitOctaves(studyOptions));
     progress.update(3);
+    for (Study& study : studyLayers(studyOptions)) studies.push_back(std::move(study));
+    progress.update(4);
     if (!scene.cameras.empty()) {
       for (Study& study : studyImageGrid(scene, sea, studyOptions)) {
         studies.push_back(std::move(study));
       }
     }
-    progress.update(4);
+    progress.update(5);
   }
   const nlohmann::ordered_json json = asJson(studies, options.scene);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv");

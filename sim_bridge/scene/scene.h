@@ -134,10 +134,18 @@ struct LightSettings {
   Wind wind;
 };
 
+/// Windows of the water in which vessels' waves run.
+struct WakeAccuracy {
+  double cell = 0.0;    ///< m; 0: by the length of the hull
+  double window = 0.0;  ///< m; 0: by the length of the hull
+  int most = 8;
+};
+
 struct Accuracy {
   double motionTolerance = 0.0;  ///< height that vessels' samples may leave out, m (1 σ)
   glm::ivec2 grid{256, 256};     ///< vertices of the projected grid, across and along
   LayerAccuracy layers;
+  WakeAccuracy wakes;
 };
 
 struct RunSettings {

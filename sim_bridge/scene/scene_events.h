@@ -51,8 +51,8 @@ struct SceneLayer {
 
 struct LayerAccuracy {
   double cell = 0.25;        ///< m
-  double foamLife = 25.0;    ///< 1/e of foam, s
-  double smoothLife = 180.0; ///< 1/e of smoothed water, s
+  double foamLife = 20.0;    ///< 1/e of foam, s
+  double smoothLife = 60.0;  ///< 1/e of smoothed water, s
   double oilLife = std::numeric_limits<double>::infinity();  ///< s
 };
 

@@ -134,6 +134,16 @@ Mapping<EffectSettings> effectsSchema() {
 }
 
 Mapping<Accuracy> accuracySchema() {
+  using W = WakeAccuracy;
+  const Mapping<W> wakes({
+      number("cell_m", &W::cell, "m", Range::within(0.0, 100.0),
+             "cells near the hull, which carry waves from four cells up; 0: 0.5 m, twice as much "
+             "for hulls above 64 m, and so on"),
+      number("window_m", &W::window, "m", Range::within(0.0, 1e5),
+             "side of the square around a vessel that its waves are followed in, rounded up to "
+             "2ⁿ cells; 0: 2048 cell_m"),
+      integer("most", &W::most, 0, 1000, "wakes that run at once: those nearest to who is near"),
+  });
   return Mapping<Accuracy>({
       number("motion_tolerance_m", &Accuracy::motionTolerance, "m", Range::atLeast(0.0),
              "height that vessels' samples of the sea may leave out, one standard deviation"),
@@ -141,6 +151,7 @@ Mapping<Accuracy> accuracySchema() {
              "vertices of the projected grid, across and along"),
       mapping("layers", &Accuracy::layers, layerAccuracySchema(),
               "foam, smoothed water and oil"),
+      mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
   });
 }
 

@@ -25,9 +25,17 @@ struct WakeLevel {
 /// (tests/surface/disturbance/wake_window_test.cpp).
 std::vector<WakeLevel> standardCascade(double hullLength, double depth);
 
+/// The same with cells of `cell` m near the hull, which carry waves from four cells up, and waves
+/// out to a square of `window` m, each 0 for the standard. Windows have 2ⁿ cells a side, so that
+/// `window` is rounded up; one of up to 512 cells near the hull serves alone where that covers it.
+std::vector<WakeLevel> cascadeOf(double hullLength, double depth, double cell, double window);
+
 /// Seconds that waves of a level need to leave its window when their vessel lies still; what is
 /// older is forgotten.
 double memoryOf(const WakeLevel& level);
+
+/// A wake runs while somebody is within this distance of its vessel along both axes, m.
+double reachOf(const std::vector<WakeLevel>& cascade);
 
 /// The waves of one vessel: a window of one level, stepped on a time grid fixed in the world
 /// (multiples of the level's step) from the vessel's pose log. Step n → n + 1 depends on poses up

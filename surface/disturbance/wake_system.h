@@ -22,8 +22,9 @@ struct WakeSystemSettings {
   std::size_t mostWakes = 8;    ///< that run at once, those nearest to a listener: some 20 MB and
                                 ///< 3 ms a step of 0.1 s each
   bool orbitalVelocity = true;  ///< keep the potential too: a third of the cost
-  /// The windows of every vessel; empty: standardCascade for each hull. Each level's step is a
-  /// multiple of the first's.
+  double cell = 0.0, window = 0.0;  ///< of `cascadeOf` for each hull, m; 0: the standard
+  /// The windows of every vessel; empty: cascadeOf for each hull. Each level's step is a multiple
+  /// of the first's.
   std::vector<WakeLevel> cascade;
 };
 
@@ -55,7 +56,8 @@ class WakeSystem {
   /// Throws InputError for windows that cannot be.
   explicit WakeSystem(const WakeSystemSettings& settings = {});
   ~WakeSystem();
-  WakeSystem(const WakeSystem&) = delete;
+  /// A system in the same state, with a feed of its own.
+  WakeSystem(const WakeSystem& other);
   WakeSystem& operator=(const WakeSystem&) = delete;
 
   /// A vessel's handle, above 0.
@@ -77,11 +79,15 @@ class WakeSystem {
   /// What WaterSurface::setDisturbances takes.
   std::shared_ptr<const Published<DisturbanceState>> feed() const { return published_; }
 
+  /// How far back the poses of a vessel bear on its waves, s.
+  double memory(std::uint32_t vessel) const;
+
   std::size_t running() const;  ///< wakes that hold windows
   std::size_t memoryBytes() const;
 
  private:
   struct Vessel;
+  Vessel& vesselOf(std::uint32_t handle) const;
   struct Call {
     Vessel* vessel;
     double distance;  // from the nearest listener's surroundings, m

@@ -17,6 +17,7 @@ struct HullPlace {
   glm::dvec2 position{0.0};  ///< m, in the water's frame: the sea plane less the current's drift
   double heading = 0.0;      ///< direction of the bow, rad counter-clockwise from east
   double immersion = 1.0;    ///< part of the hull's depth that presses, ≥ 0
+  bool operator==(const HullPlace&) const = default;
 };
 
 /// Linear water waves that one hull makes, on a periodic window, exactly in time: the complex field

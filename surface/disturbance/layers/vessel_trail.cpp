@@ -109,7 +109,8 @@ void paintTrail(const TrailHull& hull, const std::function<TrailPose(double)>& p
              return 0.75 * strength * smooth01(0.74, 0.86, v) * (1.0 - smooth01(0.92, 1.0, v));
            },
            foam);
-    stroke(stretchAt(0.0, -0.42 * hull.length), 0.95 * half, to, water, hull.beam,
+    // From well under the hull on: a stroke is left when it is over.
+    stroke(stretchAt(0.0, -0.27 * hull.length), 0.9 * half, to, water, hull.beam,
            [&](double v) { return strength * (1.0 - 0.75 * smooth01(0.35, 1.0, v)); }, foam);
     for (const Station& station : foamStations) {
       const double left = std::exp(-station.age / foam.settings().decayTime);
