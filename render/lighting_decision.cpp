@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/scene_object.h"
+#include "render/shading/shading_tables.h"
 #include "surface/whitecaps.h"
 
 namespace seaway::render {
@@ -60,7 +61,10 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
   lighting.sunDirection = sunDirectionOf(view);
   lighting.foamIsOn = decideFoam(view, shown);
   lighting.rainIsOn = decideRain(view, shown);
-  if (lighting.foamIsOn) view.effects->chargeInside(Effect::foam, Effect::water);
+  if (lighting.foamIsOn) {
+    view.effects->chargeInside(Effect::foam, Effect::water);
+    view.effects->holdMemory(Effect::foam, foamTable().texels.size() * sizeof(float));
+  }
   if (lighting.rainIsOn) view.effects->chargeInside(Effect::rain, Effect::water);
   const bool sunIsUp = lighting.sunDirection.z > -0.01f;  // its disc is half a degree wide
   const bool skyIsSeen = shown.water || seesAboveHorizon(view.camera);

@@ -21,7 +21,6 @@ class ShadingTextures {
 
   std::size_t skyMemoryBytes() const;
   std::size_t waterMemoryBytes() const;
-  std::size_t foamMemoryBytes() const;
 
  private:
   GlTexture dome_, fresnel_, ripples_, foam_;

@@ -101,9 +101,12 @@ HWY_INLINE Level levelOf(int side, Real level) {
 struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
+  const float* foam;  // null where foam is off
 
   HWY_INLINE PixelShader(const ShadingConstants& constants, const std::uint32_t* texels)
-      : ShadingConstants(constants), skyTexels(texels) {}
+      : ShadingConstants(constants),
+        skyTexels(texels),
+        foam(constants.foamIsOn ? foamTable().texels.data() : nullptr) {}
 
   HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
     const Level l = levelOf(SkyDome::side, level);
@@ -145,12 +148,11 @@ struct PixelShader : ShadingConstants {
     const VI index = toInt(whole);
     const Real here = gather(foamKept, index);
     const Real kept = mix(here, gather(foamKept, hn::Add(index, setInt(1))), clamped - whole);
-    const Level l = levelOf(ShadingTables::foamSide, whole);
+    const Level l = levelOf(FoamTable::side, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     const Corners c = wrappedCorners(place, l.side, l.start);
-    const float* from = tables.foam.data();
-    return {mix(mix(gather(from, c.at[0]), gather(from, c.at[1]), c.part.x),
-                mix(gather(from, c.at[2]), gather(from, c.at[3]), c.part.x), c.part.y),
+    return {mix(mix(gather(foam, c.at[0]), gather(foam, c.at[1]), c.part.x),
+                mix(gather(foam, c.at[2]), gather(foam, c.at[3]), c.part.x), c.part.y),
             kept};
   }
 

@@ -117,8 +117,8 @@ void setFoam(ShadingConstants& c, const View& view) {
   c.perTotalSlope = total > 0.0 ? static_cast<float>(1.0 / total) : 0.0f;
   c.breakingRamp = {rule.breaking.threshold, rule.breaking.most / rule.breaking.width};
   c.oldRamp = {rule.old.threshold, 1.0 / rule.old.width, rule.old.most};
-  c.foamLastLevel = ShadingTables::foamLevels - 1.0f;
-  std::copy(std::begin(shadingTables().foamKept), std::end(shadingTables().foamKept), c.foamKept);
+  c.foamLastLevel = FoamTable::levels - 1.0f;
+  std::copy(std::begin(foamTable().kept), std::end(foamTable().kept), c.foamKept);
   // Sizes and angles without a common measure: the three repeat together nowhere in view. Foam is
   // carried along by the current.
   const double sides[3] = {61.0, 9.7, 2.37}, angles[3] = {0.85, 0.35, 1.93};
@@ -129,7 +129,7 @@ void setFoam(ShadingConstants& c, const View& view) {
     c.foamAxis[layer] = glm::vec2(axis);
     c.foamOrigin[layer] = glm::vec2(glm::fract(
         glm::dvec2(axis.x * foot.x + axis.y * foot.y, axis.x * foot.y - axis.y * foot.x)));
-    c.foamTexelsPerMetre[layer] = static_cast<float>(ShadingTables::foamSide / sides[layer]);
+    c.foamTexelsPerMetre[layer] = static_cast<float>(FoamTable::side / sides[layer]);
   }
 }
 

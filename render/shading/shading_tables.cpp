@@ -52,15 +52,16 @@ void addRipples(ShadingTables& tables) {
   }
 }
 
-void addFoam(ShadingTables& tables) {
-  std::vector<float> image = foamPattern(ShadingTables::foamSide);
-  int side = ShadingTables::foamSide;
-  for (int level = 0; level < ShadingTables::foamLevels; ++level, side /= 2) {
+FoamTable makeFoamTable() {
+  FoamTable table;
+  std::vector<float> image = foamPattern(FoamTable::side);
+  int side = FoamTable::side;
+  for (int level = 0; level < FoamTable::levels; ++level, side /= 2) {
     double squares = 0.0;
     for (const float value : image) squares += (value - 0.5) * (value - 0.5);
-    tables.foam.insert(tables.foam.end(), image.begin(), image.end());
-    const bool last = level + 1 == ShadingTables::foamLevels;
-    tables.foamKept[level] =
+    table.texels.insert(table.texels.end(), image.begin(), image.end());
+    const bool last = level + 1 == FoamTable::levels;
+    table.kept[level] =
         last ? 0.0f : static_cast<float>(12.0 * squares / static_cast<double>(image.size()));
     std::vector<float> half;
     for (int y = 0; y < side; y += 2) {
@@ -71,23 +72,28 @@ void addFoam(ShadingTables& tables) {
     }
     image.swap(half);
   }
+  return table;
 }
 
 }  // namespace
+
+const FoamTable& foamTable() {
+  static const FoamTable table = makeFoamTable();
+  return table;
+}
 
 const ShadingTables& shadingTables() {
   static const ShadingTables tables = [] {
     ShadingTables made;
     addFresnel(made);
     addRipples(made);
-    addFoam(made);
     return made;
   }();
   return tables;
 }
 
 std::size_t ShadingTables::memoryBytes() const {
-  return (mirror.size() + area.size() + ripples.size() + foam.size()) * sizeof(std::uint32_t);
+  return (mirror.size() + area.size() + ripples.size()) * sizeof(std::uint32_t);
 }
 
 glm::vec2 unpackRipple(std::uint32_t texel) {

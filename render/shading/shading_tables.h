@@ -26,15 +26,19 @@ struct ShadingTables {
   /// Mean-square slope that is left in each level; level 0 has 1, the last none.
   float rippleKept[rippleLevels] = {};
 
-  /// foamPattern and its mip levels; of its variance, the part left in each level.
-  static constexpr int foamSide = 256, foamLevels = 6;
-  std::vector<float> foam;
-  float foamKept[foamLevels] = {};
-
   std::size_t memoryBytes() const;
 };
 
 const ShadingTables& shadingTables();
+
+/// What foam's shading looks up. The same for all scenes: made when foam is first shaded.
+struct FoamTable {
+  static constexpr int side = 256, levels = 6;
+  std::vector<float> texels;  ///< foamPattern and its mip levels, one after the other
+  float kept[levels] = {};    ///< part of the pattern's variance that is left in each
+};
+
+const FoamTable& foamTable();
 
 /// Slope that a packed texel stands for.
 glm::vec2 unpackRipple(std::uint32_t texel);

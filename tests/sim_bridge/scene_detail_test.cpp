@@ -65,7 +65,7 @@ TEST(SceneDetail, AVesselLeavesFoamAndSmoothWaterBehindItAndNoneAhead) {
 }
 
 TEST(SceneDetail, WhoeverBeginsWhenSeesTheSame) {
-  const Prepared prepared({{"fps: 2", "fps: 2"}});
+  const Prepared prepared;
   SceneDetail stepped(prepared.scene, prepared.sea);
   for (double t = 0.0; t < 20.0; t += 0.37) stepped.advance(t);
   stepped.advance(20.0);
