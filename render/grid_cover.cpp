@@ -63,8 +63,10 @@ void addExtras(const SurfaceAtTime& water, std::span<const double> x, std::span<
     std::array<float, gridChunk> height, slopeX, slopeY;
     const std::size_t count = x.size();
     water.waves().sample(x, y,
-                         {std::span(height).first(count), std::span(slopeX).first(count),
-                          std::span(slopeY).first(count), {}},
+                         {std::span(height).first(count),
+                          std::span(slopeX).first(count),
+                          std::span(slopeY).first(count),
+                          {}},
                          {.shortestWavelength = SurfaceDetail::dampedWavelength});
     for (std::size_t i = 0; i < count; ++i) {
       const float part = cover.damped[i];

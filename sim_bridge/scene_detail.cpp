@@ -84,13 +84,12 @@ SceneDetail::SceneDetail(const Scene& scene, const Sea& sea) : scene_(&scene), s
   addPatches();
   for (const SceneVessel& vessel : scene.vessels) {
     if (isOff(scene, Effect::trail) || !isUnderWay(vessel, sea)) continue;
-    trails_.push_back({{vessel.model.hull.length, vessel.model.hull.beam},
-                       courseOf(vessel, sea.geodesy)});
+    trails_.push_back(
+        {{vessel.model.hull.length, vessel.model.hull.beam}, courseOf(vessel, sea.geodesy)});
   }
   if (isOff(scene, Effect::ripples)) return;
   for (const SceneRipples& ripples : scene.ripples) {
-    pools_.emplace_back(rippleSource(ripples, sea.geodesy),
-                        sea.surface.waves().settings().current);
+    pools_.emplace_back(rippleSource(ripples, sea.geodesy), sea.surface.waves().settings().current);
   }
 }
 
@@ -101,8 +100,9 @@ void SceneDetail::addPatches() {
       if (radius == 0.0) continue;
       const glm::dvec2 place = inSeaPlane(splash.place, sea_->geodesy);
       patches_.push_back({splash.time, [=](SceneDetail& detail) {
-        paintPatch(place, radius, 0.9, splash.time, detail.layer(LayerKind::foam));
-      }});
+                            paintPatch(place, radius, 0.9, splash.time,
+                                       detail.layer(LayerKind::foam));
+                          }});
     }
   }
   for (const SceneLayer& each : scene_->layers) {
@@ -111,8 +111,9 @@ void SceneDetail::addPatches() {
     if (each.place) {
       const glm::dvec2 place = inSeaPlane(*each.place, sea_->geodesy);
       patches_.push_back({each.time, [=](SceneDetail& detail) {
-        paintPatch(place, each.radius, each.cover, each.time, detail.layer(each.kind));
-      }});
+                            paintPatch(place, each.radius, each.cover, each.time,
+                                       detail.layer(each.kind));
+                          }});
       continue;
     }
     // Read now, so that a fault in the file shows before anything runs; the layer that is painted
@@ -120,16 +121,17 @@ void SceneDetail::addPatches() {
     const LayerAccuracy& accuracy = scene_->accuracy.layers;
     auto read = std::make_shared<SurfaceLayer>(LayerSettings{.cellSize = accuracy.cell});
     readLayer(each.file, each.grid, 0.0, *read);
-    patches_.push_back({each.time, [=](SceneDetail& detail) {
-      SurfaceLayer& to = detail.layer(each.kind);
-      const double cell = accuracy.cell, half = 0.5 * cell;
-      read->visit(0.0, [&](const SurfaceLayer::Cell& from) {
-        const glm::dvec2 centre =
-            glm::dvec2(static_cast<double>(from.i), static_cast<double>(from.j)) * cell + half;
-        to.paint(centre - half, centre + half, each.time,
-                 [&](glm::dvec2) { return from.cover; });
-      });
-    }});
+    patches_.push_back(
+        {each.time, [=](SceneDetail& detail) {
+           SurfaceLayer& to = detail.layer(each.kind);
+           const double cell = accuracy.cell, half = 0.5 * cell;
+           read->visit(0.0, [&](const SurfaceLayer::Cell& from) {
+             const glm::dvec2 centre =
+                 glm::dvec2(static_cast<double>(from.i), static_cast<double>(from.j)) * cell + half;
+             to.paint(centre - half, centre + half, each.time,
+                      [&](glm::dvec2) { return from.cover; });
+           });
+         }});
   }
   std::stable_sort(patches_.begin(), patches_.end(),
                    [](const Patch& a, const Patch& b) { return a.time < b.time; });
@@ -165,8 +167,8 @@ bool SceneDetail::paint(double t, EffectLedger* ledger) {
   const LayerAccuracy& accuracy = scene_->accuracy.layers;
   // What is older shows no more, or, of smoothed water, a twentieth: neither where all begins nor
   // after a leap in time.
-  const double past = std::min(
-      std::max(memoryOf(accuracy.foamLife), 3.0 * accuracy.smoothLife), longestTrail);
+  const double past =
+      std::min(std::max(memoryOf(accuracy.foamLife), 3.0 * accuracy.smoothLife), longestTrail);
   const long long first =
       trails ? last - static_cast<long long>(std::ceil(past / strokeLength)) : last;
   long long next = std::max(nextStroke_.value_or(first), first);

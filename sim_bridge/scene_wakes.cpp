@@ -8,6 +8,7 @@
 #include "sim_bridge/scene/vessel_course.h"
 #include "sim_bridge/vessel/wake_footprint.h"
 #include "surface/constants.h"
+#include "surface/disturbance/wake_system.h"
 
 namespace seaway::bridge {
 namespace {
@@ -55,17 +56,26 @@ WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) 
 
 }  // namespace
 
-SceneWakes::Running::Running(const WakeSystemSettings& settings, const WaterSurface& water)
-    : system(settings), surface(water) {
-  surface.setDisturbances(system.feed());
-}
+struct SceneWakes::Running {
+  WakeSystem system;
+  WaterSurface surface;
+  std::vector<std::uint32_t> handles;  // by vessel; 0: makes no waves
 
-SceneWakes::Running::Running(const Running& other)
-    : system(other.system), surface(other.surface), handles(other.handles) {
-  surface.setDisturbances(system.feed());
-}
+  Running(const WakeSystemSettings& settings, const WaterSurface& water)
+      : system(settings), surface(water) {
+    surface.setDisturbances(system.feed());
+  }
+  Running(const Running& other)
+      : system(other.system), surface(other.surface), handles(other.handles) {
+    surface.setDisturbances(system.feed());
+  }
+};
 
 SceneWakes::SceneWakes(const Scene& scene, const Sea& sea) : scene_(&scene), sea_(&sea) {}
+
+const WaterSurface& SceneWakes::surface() const {
+  return running_ ? running_->surface : sea_->surface;
+}
 
 std::uint32_t SceneWakes::ownHandle(std::size_t index) const {
   if (!running_ || scene_->vessels[index].model.wake.feltByItself) return 0;

@@ -9,7 +9,7 @@
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
 #include "sim_bridge/vessel/vessel.h"
-#include "surface/disturbance/wake_system.h"
+#include "surface/disturbance/wake_listener.h"
 #include "surface/effects.h"
 
 namespace seaway::bridge {
@@ -32,7 +32,7 @@ class SceneWakes {
   SceneWakes(const Scene& scene, const Sea& sea);
 
   /// Waves and wakes, as they were at the last `advance`.
-  const WaterSurface& surface() const { return running_ ? running_->surface : sea_->surface; }
+  const WaterSurface& surface() const;
 
   /// Handle of vessel `index` for SampleOptions::excludeVessel: 0 where it feels all waves.
   std::uint32_t ownHandle(std::size_t index) const;
@@ -46,13 +46,7 @@ class SceneWakes {
   double memory() const;
 
  private:
-  struct Running {
-    WakeSystem system;
-    WaterSurface surface;
-    std::vector<std::uint32_t> handles;  // by vessel; 0: makes no waves
-    Running(const WakeSystemSettings& settings, const WaterSurface& water);
-    Running(const Running& other);
-  };
+  struct Running;
   const char* idleReason() const;
   void start(double t, std::span<const Vessel> vessels);
   void record(double t, std::span<const Vessel> vessels);

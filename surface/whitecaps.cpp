@@ -65,10 +65,9 @@ WhitecapRule::WhitecapRule(const WaveField& waves, double windSpeed) {
 
 double WhitecapRule::cover(double height, glm::dvec2 slope) const {
   const double up = height * perHeight, ahead = -glm::dot(slope, toward) * perSlope;
-  const double crests =
-      perHeight > 0.0 ? breaking.at(aheadCosine * up + aheadSine * ahead) +
-                            old.at(behindCosine * up - behindSine * ahead)
-                      : 0.0;
+  const double crests = perHeight > 0.0 ? breaking.at(aheadCosine * up + aheadSine * ahead) +
+                                              old.at(behindCosine * up - behindSine * ahead)
+                                        : 0.0;
   const double steepness = (glm::length(slope) - steep) / (allSteep - steep);
   return std::clamp(std::max(crests, steepness), 0.0, 1.0);
 }

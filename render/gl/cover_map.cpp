@@ -18,8 +18,10 @@ void sampleCarried(const SurfaceAtTime& water, std::span<const double> x, std::s
   if (row.weight <= 0.0f) return;
   std::array<float, gridChunk> height, slopeX, slopeY;
   water.waves().sample(x, y,
-                       {std::span(height).first(x.size()), std::span(slopeX).first(x.size()),
-                        std::span(slopeY).first(x.size()), {}},
+                       {std::span(height).first(x.size()),
+                        std::span(slopeX).first(x.size()),
+                        std::span(slopeY).first(x.size()),
+                        {}},
                        {.shortestWavelength = row.fadingWavelength});
   for (std::size_t i = 0; i < x.size(); ++i) {
     waves.height[i] += row.weight * (height[i] - waves.height[i]);
@@ -57,9 +59,8 @@ void CoverMap::fill(const WaterSurface& water, double t, glm::dvec2 foot,
   if (!coverIsOn_ && !extrasAreOn_) return;
   resize({columns, static_cast<int>(rows.size())});
   const SurfaceAtTime now = water.at(t);
-  tbb::parallel_for(0, size_.y, [&](int row) {
-    fillRow(now, foot, rows[static_cast<std::size_t>(row)], row);
-  });
+  tbb::parallel_for(0, size_.y,
+                    [&](int row) { fillRow(now, foot, rows[static_cast<std::size_t>(row)], row); });
   if (coverIsOn_) {
     glTextureSubImage2D(cover_, 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE,
                         covers_.data());
@@ -69,8 +70,7 @@ void CoverMap::fill(const WaterSurface& water, double t, glm::dvec2 foot,
   }
 }
 
-void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row,
-                       int index) {
+void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row, int index) {
   std::array<double, gridChunk> x, y;
   std::array<float, gridChunk> height, slopeX, slopeY;
   GridCover cover;
@@ -86,8 +86,10 @@ void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRo
     const std::size_t at = static_cast<std::size_t>(index) * size_.x + first;
     for (std::size_t i = 0; cover.any && i < some; ++i) covers_[at + i] = cover.packed(i);
     if (!extrasAreOn_) continue;
-    const GridWaves waves{std::span(height).first(some), std::span(slopeX).first(some),
-                          std::span(slopeY).first(some), {}};
+    const GridWaves waves{std::span(height).first(some),
+                          std::span(slopeX).first(some),
+                          std::span(slopeY).first(some),
+                          {}};
     // What is added to the waves that are there: with damping, the difference that it makes.
     const bool damps = cover.any && cover.damps;
     if (damps) {

@@ -16,12 +16,8 @@ void WakeStampPass::upload(const WakePyramid& pyramid, Sheet& sheet) {
   if (sheet.cells != levels.front().cells) {
     sheet.cells = levels.front().cells;
     sheet.levels = count;
+    sheet.spline = makeTexture(GL_R32F, {sheet.cells * 3 / 2, sheet.cells}, GL_NEAREST);
     GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    sheet.spline = GlTexture(name);
-    glTextureStorage2D(name, count, GL_R32F, sheet.cells, sheet.cells);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glCreateTextures(GL_TEXTURE_3D, 1, &name);
     sheet.missing = GlTexture(name);
     glTextureStorage3D(name, 1, GL_R32F, WakePyramid::blocks, WakePyramid::blocks, count + 1);
@@ -35,8 +31,10 @@ void WakeStampPass::upload(const WakePyramid& pyramid, Sheet& sheet) {
     const WakePyramid::Level& level = levels[static_cast<std::size_t>(l)];
     if (l < count) {
       glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(level.stride));
-      glTextureSubImage2D(sheet.spline, l, 0, 0, level.cells, level.cells, GL_RED, GL_FLOAT,
-                          level.row(0));
+      // As in wake_stamps.frag.
+      const glm::ivec2 corner = l == 0 ? glm::ivec2(0) : glm::ivec2(sheet.cells, sheet.cells - 2 * level.cells);
+      glTextureSubImage2D(sheet.spline, 0, corner.x, corner.y, level.cells, level.cells, GL_RED,
+                          GL_FLOAT, level.row(0));
       glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     }
     glTextureSubImage3D(sheet.missing, 0, 0, 0, l, WakePyramid::blocks, WakePyramid::blocks, 1,
@@ -65,6 +63,7 @@ void WakeStampPass::draw(const WakesInView& wakes, glm::dvec2 foot, std::span<co
     program_.set("size", static_cast<float>(size));
     program_.set("cell", static_cast<float>(pyramid.cellSize()));
     program_.set("levels", sheets_[i].levels);
+    program_.set("cells0", sheets_[i].cells);
     program_.setTexture("spline", 0, sheets_[i].spline);
     program_.setTexture("missingSlope", 1, sheets_[i].missing);
     glUseProgram(program_);
@@ -76,7 +75,7 @@ std::size_t WakeStampPass::memoryBytes() const {
   std::size_t bytes = 0;
   for (const Sheet& sheet : sheets_) {
     const auto cells = static_cast<std::size_t>(sheet.cells);
-    bytes += 4 * (cells * cells * 4 / 3 +
+    bytes += 4 * (cells * cells * 3 / 2 +
                   WakePyramid::blocks * WakePyramid::blocks * (sheet.levels + std::size_t{1}));
   }
   return bytes;

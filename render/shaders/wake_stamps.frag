@@ -1,10 +1,12 @@
 // A wake window over the texels of the wave map: WakePyramid::addTo, by the row's spacing.
-uniform sampler2D spline;        // coefficients, a mip level for each of the pyramid's
+// Coefficients: level 0 on the left, the others one above the other on its right. As mip levels
+// they would not do: llvmpipe fetches all pixels of a quad from one.
+uniform sampler2D spline;
 uniform sampler3D missingSlope;  // by blocks; depth is the level
 uniform vec2 origin;             // camera's foot in the window's grid, in sizes
 uniform vec2 centre;             // of the window, m from the foot
 uniform float size, cell;        // m
-uniform int levels;
+uniform int levels, cells0;
 
 layout(location = 0) out vec4 waves;
 
@@ -21,7 +23,8 @@ vec4 splineSlopes(float t) {
 // Height and slope, m and 1, at a place in sizes of the window.
 vec3 levelAt(int level, vec2 place) {
   if (level >= levels) return vec3(0.0);
-  int cells = textureSize(spline, level).x;
+  int cells = cells0 >> level;
+  ivec2 corner = level == 0 ? ivec2(0) : ivec2(cells0, cells0 - 2 * cells);
   vec2 at = place * float(cells), low = floor(at), part = at - low;
   ivec2 first = ivec2(low) - 1;
   vec4 across = splineWeights(part.x), along = splineSlopes(part.x);
@@ -30,7 +33,7 @@ vec3 levelAt(int level, vec2 place) {
   for (int r = 0; r < 4; ++r) {
     vec4 row;
     for (int c = 0; c < 4; ++c) {
-      row[c] = texelFetch(spline, (first + ivec2(c, r)) & (cells - 1), level).x;
+      row[c] = texelFetch(spline, corner + ((first + ivec2(c, r)) & (cells - 1)), 0).x;
     }
     float value = dot(across, row);
     sum += vec3(up[r] * value, up[r] * dot(along, row), rise[r] * value);

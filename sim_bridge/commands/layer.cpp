@@ -109,7 +109,8 @@ int runLayer(const LayerOptions& options, std::ostream& out) {
 
 void addLayerCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand(
-      "layer", "Write what lies on the water (foam, smoothed water, oil) as OpenVDB, or describe it");
+      "layer",
+      "Write what lies on the water (foam, smoothed water, oil) as OpenVDB, or describe it");
   auto options = std::make_shared<LayerOptions>();
   command->add_option("INPUT", options->input, "scene file, or an OpenVDB file to describe")
       ->required();

@@ -48,7 +48,9 @@ std::vector<Study> studyLayers(const StudyOptions& options) {
   std::vector<Study> studies{
       {"layer_memory", "memory of " + trail + truth, "1", "MB", {}},
       {"layer_painting", "painting of a launch's trail" + truth, "1", "ms/s of trail", {}},
-      {"layer_sampling", "sampling of foam beside a trail, batches of 1024" + truth, "1",
+      {"layer_sampling",
+       "sampling of foam beside a trail, batches of 1024" + truth,
+       "1",
        "ns/point",
        {}}};
   const double shorter = options.quick ? 30.0 : 60.0;  // for the truth: in fine cells all is large

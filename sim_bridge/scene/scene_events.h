@@ -22,16 +22,16 @@ struct SceneSplash {
 };
 
 struct SceneRain {
-  double rate = 0.0;  ///< mm/h
+  double rate = 0.0;                                       ///< mm/h
   double from = -std::numeric_limits<double>::infinity();  ///< s
   double to = std::numeric_limits<double>::infinity();     ///< s
 };
 
 struct SceneRipples {
   Place place;
-  double time = 0.0, duration = 10.0;  ///< s
-  double height = 0.05;                ///< m
-  double period = 0.8;                 ///< s
+  double time = 0.0, duration = 10.0;    ///< s
+  double height = 0.05;                  ///< m
+  double period = 0.8;                   ///< s
   double wavelength = 1.0, side = 20.0;  ///< m
 };
 
@@ -50,9 +50,9 @@ struct SceneLayer {
 };
 
 struct LayerAccuracy {
-  double cell = 0.25;        ///< m
-  double foamLife = 20.0;    ///< 1/e of foam, s
-  double smoothLife = 60.0;  ///< 1/e of smoothed water, s
+  double cell = 0.25;                                        ///< m
+  double foamLife = 20.0;                                    ///< 1/e of foam, s
+  double smoothLife = 60.0;                                  ///< 1/e of smoothed water, s
   double oilLife = std::numeric_limits<double>::infinity();  ///< s
 };
 

@@ -58,9 +58,10 @@ Mapping<SceneLayer> layerSchema(const Mapping<Place>& place) {
   using L = SceneLayer;
   return Mapping<L>(
       {
-          choice("kind", &L::kind,
-                 {{"foam", LayerKind::foam}, {"smooth", LayerKind::smooth}, {"oil", LayerKind::oil}},
-                 "white water; water without short waves; oil, which lacks them too"),
+          choice(
+              "kind", &L::kind,
+              {{"foam", LayerKind::foam}, {"smooth", LayerKind::smooth}, {"oil", LayerKind::oil}},
+              "white water; water without short waves; oil, which lacks them too"),
           mapping("place", &L::place, place, "middle of a round patch"),
           number("radius_m", &L::radius, "m", Range::within(0.1, 1000.0), "of the patch"),
           number("cover", &L::cover, "1", Range::within(0.0, 1.0), "of the water in the patch"),

@@ -64,7 +64,8 @@ void dampShortWaves(const SurfaceDetail& detail, std::span<const glm::dvec2> poi
   for (std::size_t first = 0; first < points.size(); first += most) {
     const auto some = points.subspan(first, std::min(most, points.size() - first));
     const std::size_t count = some.size();
-    if (!detail.dampedAt(some, t, std::span(damped).first(count), std::span(scratch).first(count))) {
+    if (!detail.dampedAt(some, t, std::span(damped).first(count),
+                         std::span(scratch).first(count))) {
       continue;
     }
     sampleWaves(some, std::span(longer).first(count), options);
@@ -74,8 +75,7 @@ void dampShortWaves(const SurfaceDetail& detail, std::span<const glm::dvec2> poi
       const auto part = static_cast<double>(damped[i]);
       sample.height = glm::mix(sample.height, longer[i].height, part);
       sample.slope = glm::mix(sample.slope, longer[i].slope, part);
-      sample.verticalVelocity =
-          glm::mix(sample.verticalVelocity, longer[i].verticalVelocity, part);
+      sample.verticalVelocity = glm::mix(sample.verticalVelocity, longer[i].verticalVelocity, part);
       sample.orbitalVelocity = glm::mix(sample.orbitalVelocity, longer[i].orbitalVelocity, part);
     }
   }

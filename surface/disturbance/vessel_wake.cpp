@@ -120,8 +120,9 @@ void LevelWake::settle(const PoseLog& log) {
   const HullPlace place = log.placeOrFirst(time(), time());
   const HullPlace next = log.placeOrFirst(time() + level_.step, time());
   window_.settle(place);
-  const glm::dvec2 velocity = (next.position - place.position) / level_.step;
-  astern_ = wantedAstern(velocity, size());
+  place_ = place;
+  velocity_ = (next.position - place.position) / level_.step;
+  astern_ = wantedAstern(velocity_, size());
   centre_ = place.position + astern_;
 }
 
@@ -130,18 +131,19 @@ void LevelWake::step(const PoseLog& log) {
   const HullPlace from = log.placeOrFirst(time(), time());
   const HullPlace to = log.placeOrFirst(time() + level_.step, time());
   window_.step(level_.step, from, to);
+  place_ = to;
+  velocity_ = (to.position - from.position) / level_.step;
   ++steps_;
-  follow(from, to);
+  follow();
 }
 
-void LevelWake::follow(const HullPlace& from, const HullPlace& to) {
-  const glm::dvec2 velocity = (to.position - from.position) / level_.step;
-  const double speed = glm::length(velocity);
+void LevelWake::follow() {
+  const double speed = glm::length(velocity_);
   // The seam moves gently, for it takes waves away as it passes.
-  const glm::dvec2 change = wantedAstern(velocity, size()) - astern_;
+  const glm::dvec2 change = wantedAstern(velocity_, size()) - astern_;
   const double most = (0.5 * speed + 1.0) * level_.step, wanted = glm::length(change);
   astern_ += wanted > most ? change * (most / wanted) : change;
-  centre_ = to.position + astern_;
+  centre_ = place_.position + astern_;
 
   const double rate = absorptionRate(size(), speed) * level_.window.absorption;
   const double interval = rate > 1.0 ? borderInterval / rate : borderInterval;
@@ -154,7 +156,7 @@ void LevelWake::follow(const HullPlace& from, const HullPlace& to) {
 
 void LevelWake::draw() {
   const std::shared_ptr<WakeGrid> grid = pool_.take();
-  window_.draw(*grid);
+  window_.drawFilled(place_, velocity_, *grid);
   before_ = std::exchange(after_, grid);
 }
 

@@ -63,7 +63,7 @@ class LevelWake {
   void start(const PoseLog& log, double time);
   void settle(const PoseLog& log);
   void step(const PoseLog& log);
-  void follow(const HullPlace& from, const HullPlace& to);
+  void follow();
   void draw();
 
   WakeLevel level_;
@@ -73,6 +73,8 @@ class LevelWake {
   long long steps_ = 0;     // the state's time in steps
   glm::dvec2 astern_{0.0};  // from the vessel to the window's centre, m
   glm::dvec2 centre_{0.0};
+  HullPlace place_;           // after the last step
+  glm::dvec2 velocity_{0.0};  // m/s
   double meanWaveNumber_ = 0.0;
   std::shared_ptr<const WakeGrid> before_, after_;
 };

@@ -12,6 +12,7 @@
 #include "surface/disturbance/pose_log.h"
 #include "surface/disturbance/published.h"
 #include "surface/disturbance/vessel_wake.h"
+#include "surface/disturbance/wake_listener.h"
 #include "surface/effects.h"
 
 namespace seaway {
@@ -26,21 +27,6 @@ struct WakeSystemSettings {
   /// The windows of every vessel; empty: cascadeOf for each hull. Each level's step is a multiple
   /// of the first's.
   std::vector<WakeLevel> cascade;
-};
-
-/// Someone who feels or sees the water around a place: a hull, a camera, the points of a query.
-struct WakeListener {
-  glm::dvec2 position{0.0};  ///< m, sea plane
-  double radius = 0.0;       ///< m about it
-  std::uint32_t vessel = 0;  ///< a hull does not call for its own wake; 0: nobody's own
-};
-
-/// Where a vessel floats, in the sea plane.
-struct WakePose {
-  double time = 0.0;         ///< s since the scene's epoch
-  glm::dvec2 position{0.0};  ///< of the footprint's origin, m
-  double heading = 0.0;      ///< direction of the bow, rad counter-clockwise from east
-  double immersion = 1.0;    ///< part of the hull in the water, ≥ 0: 0 for a hull lifted out
 };
 
 /// The wakes of a scene: every vessel's past, and waves where somebody is near to feel or see them.

@@ -58,6 +58,11 @@ class WakeWindow {
   /// The surface as spline coefficients. `out` has the settings' cells.
   void draw(WakeGrid& out) const;
 
+  /// The same with the hollow under the hull filled, as far as the window's waves can tell: the
+  /// surface that others meet, for a hull at `place` that moves at `velocity` m/s with the heading
+  /// of the last step. A hull at rest leaves still water.
+  void drawFilled(const HullPlace& place, glm::dvec2 velocity, WakeGrid& out) const;
+
   /// |Z| at the cells, rows from the south, m: the envelope of waves that all travel to one side.
   std::vector<float> envelope() const;
 

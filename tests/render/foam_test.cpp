@@ -112,9 +112,8 @@ TEST(Foam, APatchIsWhereItLiesInEveryTechniqueAndAsWhite) {
   EXPECT_GT(whitePart(truth.frame), whitePart(without.frame) + 0.03);
   const auto software = makeSoftwareGrid();
   std::vector<std::unique_ptr<RenderTechnique>> others;
-  for (const GridVariant variant :
-       {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::cpuVerticesGpuNormals,
-        GridVariant::marched}) {
+  for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu,
+                                    GridVariant::cpuVerticesGpuNormals, GridVariant::marched}) {
     others.push_back(makeProjectedGrid(test::sharedContext(), {.variant = variant}));
   }
   others.push_back(makeSoftwareGrid());
@@ -150,8 +149,7 @@ TEST(Foam, OilIsDarkAndCalmInEveryTechnique) {
   const double change = mean(without.frame, truth.frame);
   EXPECT_GT(change, 0.5);
   for (const auto* technique : {gpu.get(), software.get()}) {
-    const Picture drawn =
-        picture(*const_cast<RenderTechnique*>(technique), water, camera, 6.0);
+    const Picture drawn = picture(*const_cast<RenderTechnique*>(technique), water, camera, 6.0);
     EXPECT_LT(mean(drawn.frame, truth.frame), 0.5 * change + 0.5) << drawn.frame.stats.variant;
   }
 }
@@ -161,9 +159,8 @@ TEST(Foam, RainRingsAreSeenNearAndAreTheSameInEveryTechnique) {
   const Camera camera = test::cameraAt({3.0, 2.0, 1.6}, -35.0, 0.0, 60.0, {320, 180});
   const auto software = makeSoftwareGrid();
   const Picture dry = picture(*software, water, camera, 1.0);
-  water.setEvents(
-      std::make_shared<const SurfaceEvents>(std::vector<Splash>{}, Rain::ofRate(30.0, 4),
-                                            SurfaceEvents::Water{}));
+  water.setEvents(std::make_shared<const SurfaceEvents>(
+      std::vector<Splash>{}, Rain::ofRate(30.0, 4), SurfaceEvents::Water{}));
   const Picture wet = picture(*software, water, camera, 1.0);
   EXPECT_EQ(wet[Effect::rain].state, EffectState::on);
   EXPECT_NE(dry.frame.colour.rgb, wet.frame.colour.rgb);
@@ -187,8 +184,7 @@ TEST(Foam, ASplashStandsInThePictureAsInTheSamples) {
   const Picture truth = picture(*reference, water, camera, 1.0);
   for (const GridVariant variant :
        {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::marched}) {
-    const auto technique =
-        makeProjectedGrid(test::sharedContext(), {.variant = variant});
+    const auto technique = makeProjectedGrid(test::sharedContext(), {.variant = variant});
     const Picture drawn = picture(*technique, water, camera, 1.0);
     double worst = 0.0, highest = 0.0;
     for (std::size_t i = 0; i < drawn.frame.depth.metres.size(); ++i) {

@@ -48,8 +48,7 @@ TEST(SceneDetail, AVesselLeavesFoamAndSmoothWaterBehindItAndNoneAhead) {
   const Prepared prepared;
   const auto detail = detailAt(prepared, 10.0);
   ASSERT_TRUE(detail);
-  const CoursePoint now =
-      courseOf(prepared.scene.vessels[0], prepared.sea.geodesy).at(10.0);
+  const CoursePoint now = courseOf(prepared.scene.vessels[0], prepared.sea.geodesy).at(10.0);
   const glm::dvec2 ahead = unitVector(now.direction);
   double foam = 0.0;
   for (double back = 6.0; back < 30.0; back += 0.5) {
@@ -107,8 +106,8 @@ TEST(SceneDetail, OilFromAFileLiesWhereTheFileSaysAndDampsShortWaves) {
   WaterSurface water = prepared.sea.surface;
   const glm::dvec2 inside(130.3, 80.2), outside(90.0, 20.0);
   const SurfaceSample plain = water.sample(inside, 3.0);
-  const SurfaceSample longer = water.sample(
-      inside, 3.0, {.shortestWavelength = SurfaceDetail::dampedWavelength});
+  const SurfaceSample longer =
+      water.sample(inside, 3.0, {.shortestWavelength = SurfaceDetail::dampedWavelength});
   const SurfaceSample untouched = water.sample(outside, 3.0);
   water.setDetail(detail);
   const SurfaceSample oiled = water.sample(inside, 3.0);
@@ -120,9 +119,9 @@ TEST(SceneDetail, OilFromAFileLiesWhereTheFileSaysAndDampsShortWaves) {
 }
 
 TEST(SceneDetail, SplashesRainAndRipplesAreFeltAndSeenInTheirTime) {
-  const Prepared prepared({atRest, with("splashes: [{place: " + anchor +
-                                        ", time_s: 2}]\nripples: [{place: " + anchor +
-                                        ", time_s: 8, duration_s: 2}]\nrain: {rate_mm_h: 10}")});
+  const Prepared prepared(
+      {atRest, with("splashes: [{place: " + anchor + ", time_s: 2}]\nripples: [{place: " + anchor +
+                    ", time_s: 8, duration_s: 2}]\nrain: {rate_mm_h: 10}")});
   const SurfaceEvents& events = *prepared.sea.surface.extras().events;
   EXPECT_TRUE(events.rain().falls(0.0));
   const glm::dvec2 place = events.splashes()[0].centre(2.5);
@@ -137,10 +136,10 @@ TEST(SceneDetail, SplashesRainAndRipplesAreFeltAndSeenInTheirTime) {
 }
 
 TEST(SceneDetail, EffectsThatAreOffHoldNothing) {
-  const Prepared prepared({with(
-      "splashes: [{place: " + anchor + "}]\nripples: [{place: " + anchor +
-      "}]\nrain: {rate_mm_h: 10}\nlayers: [{kind: oil, place: " + anchor +
-      "}]\neffects: {trail: off, splash: off, rain: off, ripples: off, oil: off}")});
+  const Prepared prepared(
+      {with("splashes: [{place: " + anchor + "}]\nripples: [{place: " + anchor +
+            "}]\nrain: {rate_mm_h: 10}\nlayers: [{kind: oil, place: " + anchor +
+            "}]\neffects: {trail: off, splash: off, rain: off, ripples: off, oil: off}")});
   EXPECT_EQ(prepared.sea.surface.extras().events, nullptr);
   EXPECT_EQ(detailAt(prepared, 1.0), nullptr);
 }

@@ -74,9 +74,9 @@ const EffectReport reportOf(const EffectLedger& ledger) {
 
 TEST(SceneWakes, RockTheVesselThatIsPassed) {
   const Waters waters(sceneOf(anchored));
-  EXPECT_GT(degreesFromRadians(largestRoll(waters.start(), 1, 14.0)), 1.0);
+  EXPECT_GT(degreesFromRadians(largestRoll(waters.start(), 1, 14.0)), 0.4);
   const Waters without(sceneOf(anchored, "effects: {wake: off}\n"));
-  EXPECT_EQ(largestRoll(without.start(), 1, 14.0), 0.0);
+  EXPECT_NEAR(largestRoll(without.start(), 1, 14.0), 0.0, 1e-12);
 }
 
 TEST(SceneWakes, DoNotMoveTheirOwnVesselUnlessAsked) {
@@ -172,7 +172,10 @@ TEST(SceneWakes, CopyThatMovesOnLeavesTheOriginalAlone) {
 }
 
 TEST(SceneWakes, RebuiltForALateListenerAreThoseThatRanAllAlong) {
-  const Waters waters(sceneOf(""));
+  // In 256 m: the border of 128 m is passed by waves of 16 m too soon.
+  std::string text = sceneOf("");
+  text.replace(text.find("window_m: 128"), 13, "window_m: 256");
+  const Waters waters(text);
   const Audience audience{.cameras = waters.scene.cameras, .places = {}};
   Simulation early = waters.start(), late = waters.start();
   early.attend(audience);

@@ -151,8 +151,7 @@ void RippleSheet::addTo(std::span<const double> x, std::span<const double> y, do
     if (!out.slopeX.empty()) out.slopeX[i] += carried * value.slopeX;
     if (!out.slopeY.empty()) out.slopeY[i] += carried * value.slopeY;
     if (out.rate.empty()) continue;
-    out.rate[i] +=
-        carried * (value.rate - glm::dot(drift, glm::vec2(value.slopeX, value.slopeY)));
+    out.rate[i] += carried * (value.rate - glm::dot(drift, glm::vec2(value.slopeX, value.slopeY)));
   }
 }
 

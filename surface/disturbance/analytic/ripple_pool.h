@@ -29,8 +29,8 @@ struct RippleSource {
 /// nothing.
 class RippleSheet {
  public:
-  RippleSheet(const RippleSource& source, glm::dvec2 current, int cells,
-              std::vector<float> before, std::vector<float> after, double start, double end);
+  RippleSheet(const RippleSource& source, glm::dvec2 current, int cells, std::vector<float> before,
+              std::vector<float> after, double start, double end);
 
   /// Adds heights, slopes and ∂η/∂t: cubic B-splines in space, linear in time; at times before and
   /// after the two steps the nearer one's, and still water outside the source's life. Ripples have

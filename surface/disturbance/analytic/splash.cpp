@@ -67,8 +67,8 @@ SplashRings::Value SplashRings::at(double r, double age) const noexcept {
   const Factor ends = fall(age, 0.7 * lifetime(), lifetime());
   const Factor edge = fall(r, 0.7 * radius(), radius());
   // Rings have come this far: half a wavelength about the place moves from the start.
-  const Factor front = fall(r - omega / k * age, -0.5 * splash_.wavelength,
-                            0.5 * splash_.wavelength);
+  const Factor front =
+      fall(r - omega / k * age, -0.5 * splash_.wavelength, 0.5 * splash_.wavelength);
 
   const double inSpace = far * edge.value, inTime = old * begins.value * ends.value;
   const double spaceSlope = far * (edge.slope - edge.value * byR / splash_.reach);

@@ -76,20 +76,20 @@ void SurfaceEvents::addTo(std::span<const glm::dvec2> points, double t,
                           const SampleOptions& options) const noexcept {
   const bool whole = options.derivatives || options.orbitalVelocity;
   const auto place = [&](std::size_t i) { return points[i]; };
-  forEachReached(points.size(), t, place,
-                 [&](std::size_t i, const SplashRings& splash, const Offset& offset) {
-    if (splash.splash().wavelength < options.shortestWavelength) return;
-    const SplashRings::Value value = splash.at(offset.distance, t - splash.start());
-    SurfaceSample& sample = out[i];
-    sample.height += value.height;
-    if (!whole) return;
-    const glm::dvec2 slope = value.byDistance * offset.outwards;
-    sample.slope += slope;
-    sample.verticalVelocity += value.byTime - glm::dot(water_.current, slope);
-    if (!options.orbitalVelocity) return;
-    sample.orbitalVelocity +=
-        glm::dvec3(splash.angularFrequency() * value.height * offset.outwards, value.byTime);
-  });
+  forEachReached(
+      points.size(), t, place, [&](std::size_t i, const SplashRings& splash, const Offset& offset) {
+        if (splash.splash().wavelength < options.shortestWavelength) return;
+        const SplashRings::Value value = splash.at(offset.distance, t - splash.start());
+        SurfaceSample& sample = out[i];
+        sample.height += value.height;
+        if (!whole) return;
+        const glm::dvec2 slope = value.byDistance * offset.outwards;
+        sample.slope += slope;
+        sample.verticalVelocity += value.byTime - glm::dot(water_.current, slope);
+        if (!options.orbitalVelocity) return;
+        sample.orbitalVelocity +=
+            glm::dvec3(splash.angularFrequency() * value.height * offset.outwards, value.byTime);
+      });
   if (!rain_.falls(t) || options.shortestWavelength > Rain::wavelength) return;
   if (options.tolerance > Rain::ringHeight) return;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -106,18 +106,18 @@ void SurfaceEvents::addTo(std::span<const glm::dvec2> points, double t,
 void SurfaceEvents::addSplashes(std::span<const double> x, std::span<const double> y, double t,
                                 double kept, const Arrays& out) const noexcept {
   const auto place = [&](std::size_t i) { return glm::dvec2(x[i], y[i]); };
-  forEachReached(x.size(), t, place,
-                 [&](std::size_t i, const SplashRings& splash, const Offset& offset) {
-    const double part = carriedPart(splash.splash().wavelength, kept);
-    if (part == 0.0) return;
-    const SplashRings::Value value = splash.at(offset.distance, t - splash.start());
-    const glm::dvec2 slope = value.byDistance * offset.outwards;
-    if (!out.height.empty()) out.height[i] += static_cast<float>(part * value.height);
-    if (!out.slopeX.empty()) out.slopeX[i] += static_cast<float>(part * slope.x);
-    if (!out.slopeY.empty()) out.slopeY[i] += static_cast<float>(part * slope.y);
-    if (out.rate.empty()) return;
-    out.rate[i] += static_cast<float>(part * (value.byTime - glm::dot(water_.current, slope)));
-  });
+  forEachReached(
+      x.size(), t, place, [&](std::size_t i, const SplashRings& splash, const Offset& offset) {
+        const double part = carriedPart(splash.splash().wavelength, kept);
+        if (part == 0.0) return;
+        const SplashRings::Value value = splash.at(offset.distance, t - splash.start());
+        const glm::dvec2 slope = value.byDistance * offset.outwards;
+        if (!out.height.empty()) out.height[i] += static_cast<float>(part * value.height);
+        if (!out.slopeX.empty()) out.slopeX[i] += static_cast<float>(part * slope.x);
+        if (!out.slopeY.empty()) out.slopeY[i] += static_cast<float>(part * slope.y);
+        if (out.rate.empty()) return;
+        out.rate[i] += static_cast<float>(part * (value.byTime - glm::dot(water_.current, slope)));
+      });
 }
 
 double SurfaceEvents::heightBound(double t) const noexcept {

@@ -40,7 +40,8 @@ openvdb::GridPtrVec gridsOf(const fs::path& file, bool metadataOnly) {
   if (!fs::is_regular_file(file, ignored)) fail(file, "no such file");
   openvdb::io::File stream(file.string());
   stream.open(false);  // no delayed loading: faults show here
-  const openvdb::GridPtrVecPtr grids = metadataOnly ? stream.readAllGridMetadata() : stream.getGrids();
+  const openvdb::GridPtrVecPtr grids =
+      metadataOnly ? stream.readAllGridMetadata() : stream.getGrids();
   stream.close();
   return *grids;
 }
@@ -102,7 +103,8 @@ Placement placementOf(const fs::path& file, const openvdb::GridBase& grid) {
     const openvdb::Vec3d step = transform.indexToWorld(unit) - origin;
     placement.voxel[axis] = step[axis];
     for (int other = 0; other < 3; ++other) {
-      if (other != axis) straight = straight && std::abs(step[other]) <= 1e-9 * std::abs(step[axis]);
+      if (other != axis)
+        straight = straight && std::abs(step[other]) <= 1e-9 * std::abs(step[axis]);
     }
   }
   const bool sized = placement.voxel.x() > 0.0 && placement.voxel.y() > 0.0;
@@ -161,7 +163,8 @@ bool paintGrid(const fs::path& file, const openvdb::GridBase& base, double t, Su
       float largest = 0.0f;
       for (int k = box.min().z(); k <= box.max().z(); ++k) {
         const openvdb::Coord at(i, j, k);
-        if (leaf->isValueOn(at)) largest = std::max(largest, static_cast<float>(leaf->getValue(at)));
+        if (leaf->isValueOn(at))
+          largest = std::max(largest, static_cast<float>(leaf->getValue(at)));
       }
       return largest;
     };
@@ -174,7 +177,8 @@ bool paintGrid(const fs::path& file, const openvdb::GridBase& base, double t, Su
     openvdb::CoordBBox box;
     tile.getBoundingBox(box);
     const auto value = static_cast<float>(*tile);
-    paintBox(file, name, place, box, t, [=](int, int) { return value; }, layer);
+    paintBox(
+        file, name, place, box, t, [=](int, int) { return value; }, layer);
   }
   return true;
 }
@@ -213,7 +217,8 @@ std::vector<GridSummary> describeGrids(const fs::path& file) {
   return guarded(file, [&] {
     std::vector<GridSummary> summaries;
     for (const auto& grid : gridsOf(file, false)) {
-      GridSummary summary{grid->getName(), grid->valueType(), grid->activeVoxelCount(), {}, {}, 0.0};
+      GridSummary summary{
+          grid->getName(), grid->valueType(), grid->activeVoxelCount(), {}, {}, 0.0};
       const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
       if (summary.voxels > 0) {
         const auto& transform = grid->transform();
@@ -233,7 +238,8 @@ void readLayer(const fs::path& file, const std::string& name, double t, SurfaceL
   guarded(file, [&] {
     const openvdb::GridBase::Ptr grid = pick(file, gridsOf(file, false), name);
     if (grid->getGridClass() == openvdb::GRID_LEVEL_SET) {
-      fail(file, "grid '" + grid->getName() + "' is a level set (distances); cover is a fog volume");
+      fail(file,
+           "grid '" + grid->getName() + "' is a level set (distances); cover is a fog volume");
     }
     const bool painted = paintGrid<openvdb::FloatGrid>(file, *grid, t, layer) ||
                          paintGrid<openvdb::DoubleGrid>(file, *grid, t, layer);

@@ -11,8 +11,8 @@ namespace seaway {
 
 /// One layer in a .vdb file.
 struct LayerGrid {
-  std::string name;                      ///< such as "foam"
-  const SurfaceLayer* layer = nullptr;   ///< not null
+  std::string name;                     ///< such as "foam"
+  const SurfaceLayer* layer = nullptr;  ///< not null
 };
 
 /// Writes layers as they are at time `t` into an OpenVDB file that other tools read: for each a
@@ -26,8 +26,8 @@ void writeLayers(const std::filesystem::path& file, const std::vector<LayerGrid>
 /// What a file's grid looks like.
 struct GridSummary {
   std::string name;
-  std::string type;  ///< of its values: "float", "double", "half"…
-  std::uint64_t voxels = 0;  ///< active
+  std::string type;                   ///< of its values: "float", "double", "half"…
+  std::uint64_t voxels = 0;           ///< active
   glm::dvec2 lower{0.0}, upper{0.0};  ///< of the active voxels, m
   double voxelSize = 0.0;             ///< m
 };

@@ -72,7 +72,9 @@ struct SurfaceLayer::Tile {
   Tree tree{0u};
 };
 
-SurfaceLayer::SurfaceLayer(const LayerSettings& settings) : settings_(settings) { check(settings_); }
+SurfaceLayer::SurfaceLayer(const LayerSettings& settings) : settings_(settings) {
+  check(settings_);
+}
 
 SurfaceLayer::SurfaceLayer(const SurfaceLayer& other)
     : settings_(other.settings_),
@@ -147,7 +149,8 @@ void SurfaceLayer::rebase(double t) {
       decayFine_.push_back(static_cast<float>(std::exp(-perTick * static_cast<double>(i))));
     }
     for (std::size_t i = 0; i < coarse; ++i) {
-      decayCoarse_.push_back(static_cast<float>(std::exp(-perTick * 64.0 * static_cast<double>(i))));
+      decayCoarse_.push_back(
+          static_cast<float>(std::exp(-perTick * 64.0 * static_cast<double>(i))));
     }
     return;
   }
@@ -177,8 +180,12 @@ Painted SurfaceLayer::paint(glm::dvec2 lower, glm::dvec2 upper, double t,
   const glm::dvec2 drift = settings_.drift * t;
   if (!std::isfinite(t) || !near(lower - drift) || !near(upper - drift)) return Painted::notFinite;
   const double perCell = 1.0 / settings_.cellSize;
-  const auto first = [&](double x) { return static_cast<std::int64_t>(std::ceil(x * perCell - 0.5)); };
-  const auto last = [&](double x) { return static_cast<std::int64_t>(std::floor(x * perCell - 0.5)); };
+  const auto first = [&](double x) {
+    return static_cast<std::int64_t>(std::ceil(x * perCell - 0.5));
+  };
+  const auto last = [&](double x) {
+    return static_cast<std::int64_t>(std::floor(x * perCell - 0.5));
+  };
   const std::int64_t i0 = first(lower.x - drift.x), i1 = last(upper.x - drift.x);
   const std::int64_t j0 = first(lower.y - drift.y), j1 = last(upper.y - drift.y);
   if (i1 < i0 || j1 < j0) return Painted::done;
@@ -202,10 +209,10 @@ Painted SurfaceLayer::paint(glm::dvec2 lower, glm::dvec2 upper, double t,
       const std::int64_t toY = std::min(j1, ((tileY + 1) << tileBitsY) - 1);
       for (std::int64_t i = fromX; i <= toX; ++i) {
         for (std::int64_t j = fromY; j <= toY; ++j) {
-          const glm::dvec2 centre = glm::dvec2(static_cast<double>(i) + 0.5,
-                                               static_cast<double>(j) + 0.5) *
-                                        settings_.cellSize +
-                                    drift;
+          const glm::dvec2 centre =
+              glm::dvec2(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) *
+                  settings_.cellSize +
+              drift;
           const float asked = cover(centre);
           if (!(asked >= leastCover)) continue;
           if (!tile) tile = &tileToPaint(tileX, tileY);
@@ -255,8 +262,8 @@ class SurfaceLayer::Reader {
     }
     cells_ = nullptr;
     if (!tile_) return;
-    const Leaf* leaf = tile_->tree.probeConstLeaf(folded(static_cast<int>(i - (tileX << tileBitsX)),
-                                                         static_cast<int>(j - (tileY << tileBitsY))));
+    const Leaf* leaf = tile_->tree.probeConstLeaf(folded(
+        static_cast<int>(i - (tileX << tileBitsX)), static_cast<int>(j - (tileY << tileBitsY))));
     if (leaf) cells_ = leaf->buffer().data();
   }
 

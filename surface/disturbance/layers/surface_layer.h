@@ -50,7 +50,7 @@ class SurfaceLayer {
   SurfaceLayer& operator=(const SurfaceLayer& other);
   ~SurfaceLayer();
 
-  static constexpr double farthest = 1e8;              ///< m, along each axis
+  static constexpr double farthest = 1e8;  ///< m, along each axis
   static constexpr std::size_t mostCellsAtOnce = 1u << 24;
   /// Cover below this counts as none: it is not seen and is pruned.
   static constexpr float leastCover = 1.0f / 512.0f;
@@ -108,10 +108,10 @@ class SurfaceLayer {
   float decayed(std::uint32_t cell, std::int64_t ticks, float part) const noexcept;
 
   LayerSettings settings_;
-  std::vector<Entry> tiles_;            // by key
-  mutable std::atomic<bool> shared_{false};  // a copy was made since the last stroke
-  double base_ = 0.0;        // s: stamps count from here
-  std::size_t leaves_ = 0;  // of all tiles
+  std::vector<Entry> tiles_;                    // by key
+  mutable std::atomic<bool> shared_{false};     // a copy was made since the last stroke
+  double base_ = 0.0;                           // s: stamps count from here
+  std::size_t leaves_ = 0;                      // of all tiles
   std::vector<float> decayCoarse_, decayFine_;  // e^(−age/decayTime)
 };
 

@@ -104,29 +104,31 @@ void paintTrail(const TrailHull& hull, const std::function<TrailPose(double)>& p
 
   if (strength > 0.02) {
     // Along the sides from the shoulders on, and behind the stern.
-    stroke(stretchAt(0.0, 0.25 * hull.length), 1.12 * half, to, water, hull.beam,
-           [&](double v) {
-             return 0.75 * strength * smooth01(0.74, 0.86, v) * (1.0 - smooth01(0.92, 1.0, v));
-           },
-           foam);
+    stroke(
+        stretchAt(0.0, 0.25 * hull.length), 1.12 * half, to, water, hull.beam,
+        [&](double v) {
+          return 0.75 * strength * smooth01(0.74, 0.86, v) * (1.0 - smooth01(0.92, 1.0, v));
+        },
+        foam);
     // From well under the hull on: a stroke is left when it is over.
-    stroke(stretchAt(0.0, -0.27 * hull.length), 0.9 * half, to, water, hull.beam,
-           [&](double v) { return strength * (1.0 - 0.75 * smooth01(0.35, 1.0, v)); }, foam);
+    stroke(
+        stretchAt(0.0, -0.27 * hull.length), 0.9 * half, to, water, hull.beam,
+        [&](double v) { return strength * (1.0 - 0.75 * smooth01(0.35, 1.0, v)); }, foam);
     for (const Station& station : foamStations) {
       const double left = std::exp(-station.age / foam.settings().decayTime);
-      stroke(stretchAt(station.age, -0.42 * hull.length), station.width * half, to, water,
-             hull.beam,
-             [&](double v) {
-               return 0.8 * strength * left * smooth01(0.25, 0.6, v) *
-                      (1.0 - smooth01(0.62, 1.0, v));
-             },
-             foam);
+      stroke(
+          stretchAt(station.age, -0.42 * hull.length), station.width * half, to, water, hull.beam,
+          [&](double v) {
+            return 0.8 * strength * left * smooth01(0.25, 0.6, v) * (1.0 - smooth01(0.62, 1.0, v));
+          },
+          foam);
     }
   }
   const double calm = 0.95 * smooth01(leastSpeed, 2.0, speed);
   const auto lay = [&](double age, double width) {
-    stroke(stretchAt(age, -0.4 * hull.length), width * half, to, water, hull.beam,
-           [&](double v) { return calm * (1.0 - smooth01(0.55, 1.0, v)); }, smooth);
+    stroke(
+        stretchAt(age, -0.4 * hull.length), width * half, to, water, hull.beam,
+        [&](double v) { return calm * (1.0 - smooth01(0.55, 1.0, v)); }, smooth);
   };
   lay(0.0, 1.1);
   for (const Station& station : smoothStations) lay(station.age, 1.1 * station.width);

@@ -31,7 +31,8 @@ TEST(LayerCommand, WritesATrailThatOtherToolsAndSeawayRead) {
 TEST(LayerCommand, WhatItWroteIsASceneLayer) {
   const test::TempFolder folder;
   const std::string scene = test::writeScene(folder).string();
-  ASSERT_EQ(seaway({"layer", scene, "--time", "8", "--out", (folder / "l.vdb").string()}).status, 0);
+  ASSERT_EQ(seaway({"layer", scene, "--time", "8", "--out", (folder / "l.vdb").string()}).status,
+            0);
   const std::string text = test::sceneText(
       {{"speed_m_s: 6", "speed_m_s: 0"},
        {"run: {", "layers: [{kind: foam, file: l.vdb, grid: foam, time_s: 0}]\nrun: {"}});
@@ -44,8 +45,7 @@ TEST(LayerCommand, WhatItWroteIsASceneLayer) {
 
 TEST(LayerCommandHard, BadInputIsNamedAndNothingIsWritten) {
   const test::TempFolder folder;
-  const std::string scene =
-      test::writeScene(folder, {{"speed_m_s: 6", "speed_m_s: 0"}}).string();
+  const std::string scene = test::writeScene(folder, {{"speed_m_s: 6", "speed_m_s: 0"}}).string();
   const std::string file = (folder / "l.vdb").string();
   const auto fails = [&](const std::vector<std::string>& arguments, const std::string& word) {
     const test::Outcome outcome = seaway(arguments);
@@ -59,8 +59,7 @@ TEST(LayerCommandHard, BadInputIsNamedAndNothingIsWritten) {
   fails({"layer", (folder / "none.vdb").string()}, "no such file");
   folder.write("text.vdb", "oil");
   fails({"layer", (folder / "text.vdb").string()}, "OpenVDB");
-  EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"launch.yaml", "scene.yaml", "text.vdb"}));
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"launch.yaml", "scene.yaml", "text.vdb"}));
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ TEST(Rain, IsContinuousAcrossCellsAndFalls) {
     const double edge = 0.5 * Rain::cell * n;
     for (double y = -3.0; y < 3.0; y += 0.1) {
       // The steepest slope is 0.5.
-      EXPECT_NEAR(rain.at({edge - 1e-6, y}, 7.7).height, rain.at({edge + 1e-6, y}, 7.7).height, 2e-6);
+      EXPECT_NEAR(rain.at({edge - 1e-6, y}, 7.7).height, rain.at({edge + 1e-6, y}, 7.7).height,
+                  2e-6);
     }
   }
   for (double t = 0.0; t < 4.0; t += 1.0 / 64.0) {
@@ -71,7 +72,8 @@ TEST(Rain, MeanSquareSlopeIsAsStated) {
 
 TEST(Rain, RingsFallAnewElsewhere) {
   const Rain rain = Rain::ofRate(50.0, 5);
-  const Rain::Drop first = rain.drop(4, -9, 2, 100.0), next = rain.drop(4, -9, 2, 100.0 + Rain::lifetime);
+  const Rain::Drop first = rain.drop(4, -9, 2, 100.0),
+                   next = rain.drop(4, -9, 2, 100.0 + Rain::lifetime);
   EXPECT_NE(first.x, next.x);
   EXPECT_NEAR(first.age, next.age, 1e-5);
 }

@@ -69,7 +69,8 @@ TEST(RipplePool, TheSameLifeGivesTheSameBitsHoweverItIsStepped) {
   back.advance(6.0);
   for (double r = 0.0; r < 9.0; r += 0.3) {
     const glm::dvec2 point = fish.place + glm::dvec2(r, -0.4 * r);
-    EXPECT_EQ(sampled(*often.sheet(), point, 6.0).height, sampled(*once.sheet(), point, 6.0).height);
+    EXPECT_EQ(sampled(*often.sheet(), point, 6.0).height,
+              sampled(*once.sheet(), point, 6.0).height);
     EXPECT_EQ(sampled(*back.sheet(), point, 6.0).height, sampled(*once.sheet(), point, 6.0).height);
   }
 }

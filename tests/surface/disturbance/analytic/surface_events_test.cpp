@@ -101,8 +101,8 @@ TEST(SurfaceEvents, SplashesAddUpWhereverTheyAreAndWhateverTheBatch) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     // In another order: rounding alone.
     EXPECT_NEAR(both[i].height, first[i].height + second[i].height, 1e-15);
-    EXPECT_NEAR(both[i].orbitalVelocity.x,
-                first[i].orbitalVelocity.x + second[i].orbitalVelocity.x, 1e-14);
+    EXPECT_NEAR(both[i].orbitalVelocity.x, first[i].orbitalVelocity.x + second[i].orbitalVelocity.x,
+                1e-14);
     const auto alone = sampled(SurfaceEvents({stone, other}, {}, {}), {points[i]}, 4.0, orbital());
     EXPECT_EQ(alone[0].height, both[i].height);
     EXPECT_EQ(alone[0].slope, both[i].slope);
@@ -160,7 +160,8 @@ TEST(SurfaceEvents, SamplingAllocatesNothing) {
 
 TEST(SurfaceEventsHard, HugeCountsAreRefusedAndTheMostAllowedAreServed) {
   std::vector<Splash> splashes(SurfaceEvents::mostSplashes, stone);
-  for (std::size_t i = 0; i < splashes.size(); ++i) splashes[i].time = 0.01 * static_cast<double>(i);
+  for (std::size_t i = 0; i < splashes.size(); ++i)
+    splashes[i].time = 0.01 * static_cast<double>(i);
   const SurfaceEvents events(splashes, {}, {});
   EXPECT_TRUE(std::isfinite(sampled(events, {stone.place}, 20.0)[0].height));
   // Only those of the last lifetime are looked at.

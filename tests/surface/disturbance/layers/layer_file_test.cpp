@@ -141,7 +141,8 @@ TEST_F(LayerFileHard, UnknownGridsAreNamedBesideThoseThereAre) {
   const std::string message = messageOf([&] { readLayer(file(), "oil", 0.0, back); });
   EXPECT_NE(message.find("'oil'"), std::string::npos);
   EXPECT_NE(message.find("'foam'"), std::string::npos);
-  EXPECT_NE(messageOf([&] { readLayer(file(), "", 0.0, back); }).find("several"), std::string::npos);
+  EXPECT_NE(messageOf([&] { readLayer(file(), "", 0.0, back); }).find("several"),
+            std::string::npos);
 }
 
 TEST_F(LayerFileHard, ValuesThatAreNoCoverAreRefused) {
@@ -163,8 +164,9 @@ TEST_F(LayerFileHard, MoreCellsThanALayerHoldsAreRefused) {
 
 TEST_F(LayerFileHard, AFolderThatCannotBeWrittenToIsNamed) {
   const SurfaceLayer layer = ramp();
-  EXPECT_NE(messageOf([&] { writeLayers(file("no/such.vdb"), {{"foam", &layer}}, 0.0); })
-                .find("such.vdb"),
+  EXPECT_NE(messageOf([&] {
+              writeLayers(file("no/such.vdb"), {{"foam", &layer}}, 0.0);
+            }).find("such.vdb"),
             std::string::npos);
 }
 

@@ -40,7 +40,8 @@ TEST(SurfaceLayer, CoverIsReadBackWhereItWasPaintedAndNowhereElse) {
   const SurfaceLayer layer = painted({.cellSize = 0.5}, {-3.0, -70.0}, {90.0, 2.0}, 1.0, 0.4f);
   // 186 × 144 cells have their centres in the box.
   EXPECT_EQ(layer.cellCount(), 186u * 144u);
-  for (const glm::dvec2 inside : {glm::dvec2(-2.7, -69.7), {89.7, 1.7}, {0.0, 0.0}, {31.9, -63.9}}) {
+  for (const glm::dvec2 inside :
+       {glm::dvec2(-2.7, -69.7), {89.7, 1.7}, {0.0, 0.0}, {31.9, -63.9}}) {
     EXPECT_NEAR(layer.coverAt(inside, 1.0), 0.4, coverStep);
   }
   for (const glm::dvec2 outside : {glm::dvec2(-3.3, 0.0), {90.3, 0.0}, {0.0, 2.3}, {0.0, -70.3}}) {
@@ -63,8 +64,7 @@ TEST(SurfaceLayer, CoverIsBilinearBetweenCellsAcrossLeavesAndTiles) {
 
 TEST(SurfaceLayer, CoverDecaysExponentiallyAsItIsRead) {
   const double decay = 40.0;
-  const SurfaceLayer layer =
-      painted({.decayTime = decay}, {0.0, 0.0}, {2.0, 2.0}, 100.0);
+  const SurfaceLayer layer = painted({.decayTime = decay}, {0.0, 0.0}, {2.0, 2.0}, 100.0);
   for (const double age : {0.0, 0.06, 3.3, 17.21, 60.0, 120.0}) {
     EXPECT_NEAR(layer.coverAt({1.0, 1.0}, 100.0 + age), std::exp(-age / decay), coverStep);
   }
