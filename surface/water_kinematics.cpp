@@ -125,7 +125,8 @@ void addExtras(const FieldAtTime& now, const SurfaceExtras& extras,
 
 /// Kinematics of up to a tile of points.
 void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
-                const SurfaceExtras* extras, std::span<const glm::dvec3> points, std::span<WaterKinematics> out,
+                const SurfaceExtras* extras, std::span<const glm::dvec3> points,
+                std::span<WaterKinematics> out,
                 const SampleOptions& options) noexcept {
   const WaveField& waves = now.field();
   const std::size_t count = points.size();

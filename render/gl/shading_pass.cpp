@@ -16,8 +16,9 @@ void drawFullScreen(const GlProgram& program, GLuint framebuffer, glm::ivec2 siz
 }
 
 GlProgram makeShader(std::string_view fragment) {
-  return GlProgram({"full_screen.vert"}, {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
-                                          "shading_inputs.glsl", fragment});
+  return GlProgram({"full_screen.vert"},
+                   {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
+                    "shading_inputs.glsl", fragment});
 }
 
 std::string element(const char* name, int i) {
@@ -111,7 +112,8 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
 ShadingPass::ShadingPass()
     : sky_(makeShader("shade_sky.frag")),
       toneMap_({"full_screen.vert"},
-               {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h", "tone_map.frag"}) {}
+               {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
+                "tone_map.frag"}) {}
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {

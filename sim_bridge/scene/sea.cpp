@@ -101,7 +101,8 @@ Sea buildSea(const Scene& scene) {
     std::vector<BlockedOctave> blocked =
         blockedOctaves(field.octaves(), sea.depth, field.settings().current);
     warnOf(blocked, scene);
-    return {geodesy, SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked, std::move(blocked)};
+    return {geodesy, SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked,
+            std::move(blocked)};
   } catch (const InputError& fault) {
     throw InputError(scene.file.string(), sea.stateLine,
                      std::string("key 'sea.state': ") + fault.what());
