@@ -11,12 +11,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/grid_cover.h"
 #include "surface/curvature.h"
 
 namespace seaway::render {
 namespace {
 
-constexpr int chunk = 256;  // columns sampled at a time
+constexpr int chunk = gridChunk;  // columns sampled at a time
 
 /// Heights and slopes of a chunk of a row.
 struct Waves {
@@ -27,6 +28,15 @@ struct Waves {
     return {part(height), part(slopeX), part(slopeY), {}};
   }
 };
+
+/// Takes `weight` of another set of waves for as much of these.
+void mixIn(const Waves& other, float weight, int count, Waves& waves) {
+  for (int i = 0; i < count; ++i) {
+    waves.height[i] += weight * (other.height[i] - waves.height[i]);
+    waves.slopeX[i] += weight * (other.slopeX[i] - waves.slopeX[i]);
+    waves.slopeY[i] += weight * (other.slopeY[i] - waves.slopeY[i]);
+  }
+}
 
 }  // namespace
 
@@ -42,6 +52,12 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
     missingWakes_.assign(vertexCount(), 0.0f);
   }
   wet_.clear();
+  const SurfaceDetail* detail = water.extras().detail.get();
+  if (detail && !detail->cover.empty()) {
+    cover_.resize(vertexCount());
+  } else {
+    cover_.clear();
+  }
   if (water.outline()) findWet(*water.outline(), camera, layout);
   tbb::parallel_for(0, size_.y, [&](int row) {
     rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
@@ -124,13 +140,17 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
     water.waves().sample(xs, ys, fading.arrays(count),
                          {.shortestWavelength = plan.fadingWavelength});
   }
-  for (int i = 0; fades && i < count; ++i) {
-    waves.height[i] += weight * (fading.height[i] - waves.height[i]);
-    waves.slopeX[i] += weight * (fading.slopeX[i] - waves.slopeX[i]);
-    waves.slopeY[i] += weight * (fading.slopeY[i] - waves.slopeY[i]);
+  if (fades) mixIn(fading, weight, count, waves);
+  GridCover cover;
+  if (asked) {
+    cover.sample(water, xs, ys);
+    addExtras(water, xs, ys, plan.keptWavelength, cover, waves.arrays(count));
   }
   double largest = 0.0;
   const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
+  for (int i = 0; i < count && !cover_.empty(); ++i) {
+    cover_[at + i] = cover.any ? cover.packed(static_cast<std::size_t>(i)) : 0u;
+  }
   if (asked && !wakes_.empty()) addWakes(xs, ys, plan.spacing, at, waves.arrays(count));
   for (int i = 0; i < count; ++i) {
     float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
@@ -175,7 +195,7 @@ std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
           slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
-         wakes_.memoryBytes() +
+         wakes_.memoryBytes() + cover_.capacity() * sizeof(std::uint32_t) +
          rowLargest_.capacity() * sizeof(double) + wet_.capacity();
 }
 

@@ -33,6 +33,10 @@ class SeaGrid {
   /// Mean-square slope that a row does not carry.
   const std::vector<float>& missingSlope() const { return missingSlope_; }
 
+  /// What lies on the water at each vertex, foam, smoothed water and oil in the low three bytes;
+  /// empty: nothing anywhere.
+  const std::vector<std::uint32_t>& cover() const { return cover_; }
+
   /// Mean-square slope of wakes that a vertex does not carry, beside its row's; empty: none.
   const std::vector<float>& missingWakes() const { return missingWakes_; }
 
@@ -64,6 +68,7 @@ class SeaGrid {
 
   glm::ivec2 size_{0};
   std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_, missingWakes_;
+  std::vector<std::uint32_t> cover_;
   WakesInView wakes_;
   std::vector<double> rowLargest_;
   std::vector<std::uint8_t> wet_;  // one a batch; empty: all

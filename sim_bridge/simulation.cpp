@@ -57,6 +57,7 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
     : scene_(&scene),
       sea_(&sea),
       wakes_(scene, sea),
+      detail_(scene, sea),
       steps_(firstStep),
       time_(static_cast<double>(firstStep) * scene.run.step) {
   std::size_t count = 0;
@@ -88,7 +89,18 @@ void Simulation::forEachVessel(Action action) {
   }
 }
 
+// What lies on the water and ripples it goes over the sea.
+void Simulation::disturb(double t, EffectLedger* ledger) {
+  detail_.advance(t, ledger);
+  disturbed_ = nullptr;
+  if (!detail_.detail()) return;
+  auto disturbed = std::make_shared<WaterSurface>(wakes_.surface());
+  disturbed->setDetail(detail_.detail());
+  disturbed_ = std::move(disturbed);
+}
+
 void Simulation::sampleAt(double t, EffectLedger* ledger) {
+  disturb(t, ledger);
   if (vessels_.empty()) return;
   std::size_t from = 0;
   for (const Vessel& vessel : vessels_) {
@@ -109,8 +121,8 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
 void Simulation::sampleSurface(double t) {
   SampleOptions options{.tolerance = scene_->accuracy.motionTolerance};
   const auto disturbances = wakes_.surface().disturbances();
-  if (!disturbances) return sea_->surface.sample(points_, t, samples_, options);
-  sea_->surface.waves().sample(points_, t, samples_, options);
+  if (!disturbances) return surface().sample(points_, t, samples_, options);
+  surface().sampleWithoutWakes(points_, t, samples_, options);
   forEachVessel([&](const Vessel& vessel, const SceneVessel&, std::span<SurfaceSample> water) {
     const auto first = static_cast<std::size_t>(water.data() - samples_.data());
     options.excludeVessel = wakes_.ownHandle(static_cast<std::size_t>(&vessel - vessels_.data()));
@@ -122,6 +134,7 @@ void Simulation::sampleSurface(double t) {
 void Simulation::attend(Audience audience, EffectLedger* ledger) {
   wakes_.setAudience(std::move(audience));
   wakes_.advance(time_, vessels_, ledger);
+  disturb(time_, ledger);
 }
 
 void Simulation::requireAfloat(double t) const {

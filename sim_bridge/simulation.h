@@ -7,6 +7,7 @@
 
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene_detail.h"
 #include "sim_bridge/scene_wakes.h"
 #include "sim_bridge/vessel/vessel.h"
 #include "surface/effects.h"
@@ -54,12 +55,13 @@ class Simulation {
   const Scene& scene() const { return *scene_; }
   const Sea& sea() const { return *sea_; }
   std::span<const Vessel> vessels() const { return vessels_; }
-  /// The sea with the vessels' wakes, at times about `time()`. Valid until the next step.
-  const WaterSurface& surface() const { return wakes_.surface(); }
+  /// The sea with all that disturbs it, at times about `time()`. Valid until the next step.
+  const WaterSurface& surface() const { return disturbed_ ? *disturbed_ : wakes_.surface(); }
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
   void sampleAt(double t, EffectLedger* ledger);
+  void disturb(double t, EffectLedger* ledger);
   void sampleSurface(double t);
   void requireAfloat(double t) const;
   void advanceTo(double t, EffectLedger* ledger);
@@ -70,6 +72,8 @@ class Simulation {
   const Sea* sea_;
   std::vector<Vessel> vessels_;
   SceneWakes wakes_;
+  SceneDetail detail_;
+  std::shared_ptr<const WaterSurface> disturbed_;  // null: nothing but waves, wakes and events
   std::vector<glm::dvec2> points_;
   std::vector<SurfaceSample> samples_;
   long long steps_ = 0;

@@ -14,6 +14,7 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   const glm::dvec2 foot(view.camera.position);
   const FieldTwin field(view.water->waves(), view.time, foot);
   rows_ = twinRows(projector, view.water->waves(), size);
+  coverMap_.fill(*view.water, view.time, foot, rows_, size.x);
   glBindVertexArray(noVertices_);
   if (const auto disturbances = view.water->disturbances()) {
     wakes_.fill(disturbances.get(), view.time, foot,
@@ -24,7 +25,7 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   addStamps(stamps, foot, size.x);
   useOutline(map_.program(), view);
   clock_.start("heights");
-  map_.fill(field, rows_, size.x, view.camera, this->stamps());
+  map_.fill(field, rows_, size.x, view.camera, this->stamps(), coverMap_.extras());
   clock_.stop();
 }
 
@@ -45,10 +46,16 @@ void ProjectedWaves::addStamps(std::span<const Stamp> stamps, glm::dvec2 foot, i
   clock_.stop();
 }
 
+void ProjectedWaves::useCover(const GlProgram& program) const {
+  program.set("coverIsOn", coverMap_.cover() != 0 ? 1 : 0);
+  if (coverMap_.cover() != 0) program.setTexture("coverMap", 2, coverMap_.cover());
+}
+
 std::size_t ProjectedWaves::memoryBytes() const {
   const auto of = [](const auto& part) { return part ? part->memoryBytes() : 0; };
-  return map_.memoryBytes() + outline_.memoryBytes() + of(stampMap_) + of(stampPass_) +
-         of(wakePass_) + wakes_.memoryBytes() + rows_.capacity() * sizeof(TwinRow);
+  return map_.memoryBytes() + coverMap_.memoryBytes() + outline_.memoryBytes() + of(stampMap_) +
+         of(stampPass_) + of(wakePass_) + wakes_.memoryBytes() +
+         rows_.capacity() * sizeof(TwinRow);
 }
 
 }  // namespace seaway::render

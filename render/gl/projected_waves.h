@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/gl/cover_map.h"
 #include "render/gl/gpu_clock.h"
 #include "render/gl/outline_buffers.h"
 #include "render/gl/sea_geometry_pass.h"
@@ -31,6 +32,12 @@ class ProjectedWaves {
     outline_.use(program, view.water->sharedOutline(), view.camera);
   }
 
+  /// Tells a program what lies on the water, at the map's texels: `coverMap` on texture unit 2.
+  void useCover(const GlProgram& program) const;
+
+  /// Splashes and the like, as added to the map; 0 while there are none.
+  GLuint extras() const { return coverMap_.extras(); }
+
   const WaveMap& map() const { return map_; }
   /// Wakes and stamps alone, as added to the map; 0 while there are none.
   GLuint stamps() const { return stampMap_ ? stampMap_->texture() : GLuint{0}; }
@@ -46,6 +53,7 @@ class ProjectedWaves {
 
   GlVertexArray noVertices_;
   WaveMap map_;
+  CoverMap coverMap_;
   OutlineBuffers outline_;
   std::optional<StampMap> stampMap_;
   std::optional<StampPass> stampPass_;

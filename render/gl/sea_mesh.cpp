@@ -45,7 +45,8 @@ void SeaMesh::fill(const SeaGrid& grid, const Camera& camera) {
                       {grid.slopeX()[i], grid.slopeY()[i]},
                       grid.height()[i],
                       grid.missingSlope()[row] +
-                          (grid.missingWakes().empty() ? 0.0f : grid.missingWakes()[i])};
+                          (grid.missingWakes().empty() ? 0.0f : grid.missingWakes()[i]),
+                      grid.cover().empty() ? 0u : grid.cover()[i]};
       outside_[i] = sides.beyond(vertices_[i].position);
     }
   });

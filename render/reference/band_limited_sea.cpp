@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/grid_cover.h"
 #include "surface/constants.h"
 
 namespace seaway::render {
@@ -14,6 +15,14 @@ BandLimitedSea::Point mixed(const BandLimitedSea::Point& a, const BandLimitedSea
                             double part) {
   return {glm::mix(a.height, b.height, part), glm::mix(a.slope, b.slope, part),
           glm::mix(a.missingSlope, b.missingSlope, part)};
+}
+
+/// Splashes and ripples come with slopes of up to this.
+double steepestExtra(const SurfaceAtTime& water) {
+  const SurfaceExtras& extras = water.extras();
+  const bool any = (extras.events && !extras.events->splashesAbout(water.time()).empty()) ||
+                   (extras.detail && !extras.detail->ripples.empty());
+  return any ? 1.5 : 0.0;
 }
 
 bool carrySame(const BandLimit::Plan& a, const BandLimit::Plan& b) {
@@ -29,8 +38,22 @@ BandLimitedSea::BandLimitedSea(const SurfaceAtTime& water, const WakesInView& wa
       layout_(layout),
       foot_(foot),
       totalSlope_(BandLimit(water.waves().field()).totalSlope()),
-      steepestWake_(wakes.steepest()),
+      steepestWake_(wakes.steepest() + steepestExtra(water)),
       bound_(water.heightBound()) {}
+
+/// What lies on the water and disturbs it beside wakes, as a grid adds it.
+void BandLimitedSea::addExtras(glm::dvec2 point, double keptWavelength, Point& carried) const {
+  if (!water_.extras().events && !water_.extras().detail) return;
+  auto height = static_cast<float>(carried.height);
+  auto x = static_cast<float>(carried.slope.x), y = static_cast<float>(carried.slope.y);
+  const auto one = [](auto& value) { return std::span(&value, 1); };
+  GridCover cover;
+  cover.sample(water_, one(point.x), one(point.y));
+  render::addExtras(water_, one(point.x), one(point.y), keptWavelength, cover,
+                    {one(height), one(x), one(y), {}});
+  carried.height = height;
+  carried.slope = {x, y};
+}
 
 BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
   const BandLimit::Plan& plan = layout_.rows[index].plan;
@@ -40,6 +63,7 @@ BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
   };
   Point carried = ask(plan.keptWavelength);
   if (plan.weight != 0.0) carried = mixed(carried, ask(plan.fadingWavelength), plan.weight);
+  addExtras(point, plan.keptWavelength, carried);
   if (wakes_.empty()) return carried;
   float height = 0.0f, x = 0.0f, y = 0.0f, missing = 0.0f;
   const auto one = [](auto& value) { return std::span(&value, 1); };
@@ -54,7 +78,8 @@ BandLimitedSea::Point BandLimitedSea::at(glm::dvec2 place) const {
   const double at = layout_.rowAt(place);
   const int near = std::min(static_cast<int>(at), layout_.size.y - 2);
   const Point before = row(near, foot_ + place);
-  if (wakes_.empty() && carrySame(layout_.rows[near].plan, layout_.rows[near + 1].plan)) {
+  const bool alone = wakes_.empty() && !water_.extras().events && !water_.extras().detail;
+  if (alone && carrySame(layout_.rows[near].plan, layout_.rows[near + 1].plan)) {
     return before;
   }
   return mixed(before, row(near + 1, foot_ + place), at - near);

@@ -40,6 +40,7 @@ class BandLimitedSea {
 
  private:
   Point row(int index, glm::dvec2 point) const;
+  void addExtras(glm::dvec2 point, double keptWavelength, Point& carried) const;
   double carriedSlope(glm::dvec2 place) const;
 
   const SurfaceAtTime& water_;

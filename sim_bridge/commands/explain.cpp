@@ -36,9 +36,18 @@ std::string_view nameOf(Effect effect) {
 }
 
 const char* unitOf(Effect effect) {
-  const bool step =
-      effect == Effect::waves || effect == Effect::vesselMotion || effect == Effect::wake;
-  return step ? "step" : "frame";
+  switch (effect) {
+    case Effect::waves:
+    case Effect::vesselMotion:
+    case Effect::wake:
+    case Effect::trail:
+    case Effect::oil:
+    case Effect::splash:
+    case Effect::ripples:
+      return "step";
+    default:
+      return "frame";
+  }
 }
 
 /// Windows of wakes step every 0.1 and 0.4 s at the least: 0.8 s show what they cost on average.

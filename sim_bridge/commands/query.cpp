@@ -149,7 +149,7 @@ class WakenedSea {
                          std::span<const std::size_t> rows) {
     std::vector<WakeListener> places;
     for (const std::size_t row : rows) places.push_back({points[row].position, 0.0, 0});
-    if (!wakesReach(scene_, sea_, t, places)) return sea_.surface;
+    if (!wakesReach(scene_, sea_, t, places)) return withoutWakes(t);
     if (simulation_) {
       simulation_ = simulation_->movedTo(t);
     } else {
@@ -160,9 +160,21 @@ class WakenedSea {
   }
 
  private:
+  /// What lies on the water and ripples it is there all the same.
+  const WaterSurface& withoutWakes(double t) {
+    if (!detail_) detail_.emplace(scene_, sea_);
+    detail_->advance(t);
+    if (!detail_->detail()) return sea_.surface;
+    surface_ = sea_.surface;
+    surface_->setDetail(detail_->detail());
+    return *surface_;
+  }
+
   const Scene& scene_;
   const Sea& sea_;
   std::optional<Simulation> simulation_;
+  std::optional<SceneDetail> detail_;
+  std::optional<WaterSurface> surface_;
 };
 
 /// The sea at the points; those of one time go through it together.

@@ -52,6 +52,10 @@ std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options)
 /// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
 Study studyFitOctaves(const StudyOptions& options);
 
+/// Three studies of the layers on the water, by the side of their cells: what a launch's trail
+/// costs in MB, in ms to paint and in ns to sample, against finer cells.
+std::vector<Study> studyLayers(const StudyOptions& options);
+
 /// Three studies of the scene's first camera, by grid size, ms a frame: place of the surface in the
 /// picture (rms pixels) against a ray-cast, axial depth of water pixels (median m) against a
 /// ray-march, and height of the field where pixels lie (rms m).

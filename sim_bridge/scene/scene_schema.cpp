@@ -149,6 +149,8 @@ Mapping<Accuracy> accuracySchema() {
              "height that vessels' samples of the sea may leave out, one standard deviation"),
       vector("grid", &Accuracy::grid, "", Range::within(2, 4096),
              "vertices of the projected grid, across and along"),
+      mapping("layers", &Accuracy::layers, layerAccuracySchema(),
+              "foam, smoothed water and oil"),
       mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
   });
 }
@@ -171,6 +173,11 @@ const Mapping<Scene>& sceneSchema() {
       mapping("sea", &Scene::sea, seaSchema(), "the water and where it is", Need::required),
       list("vessels", &Scene::vessels, vesselSchema(), "what floats"),
       list("cameras", &Scene::cameras, cameraSchema(), "who looks"),
+      list("splashes", &Scene::splashes, splashSchema(placeSchema()),
+           "what falls into the water or bursts in it"),
+      mapping("rain", &Scene::rain, rainSchema(), "rings of raindrops; without it none falls"),
+      list("ripples", &Scene::ripples, ripplesSchema(placeSchema()), "what bobs in the water"),
+      list("layers", &Scene::layers, layerSchema(placeSchema()), "what lies on the water"),
       mapping("light", &Scene::light, lightSchema(), "sun and wind"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),

@@ -20,7 +20,7 @@ const std::vector<Rule> rules = {
     {"render/", {"sim_bridge/", "render/"}},
     {"ceres/", {"surface/fit/"}},
     {"GeographicLib/", {"surface/geodesy."}},
-    {"openvdb/", {"surface/layers/"}},
+    {"openvdb/", {"surface/disturbance/layers/"}},
     {"fftw", {"surface/fft/", "sim_bridge/cost/rivals/"}},
     {"glad/", {"render/"}},
     {"GL/", {"render/"}},
