@@ -5,7 +5,6 @@
 namespace seaway::bridge::cigi {
 namespace {
 
-constexpr std::int32_t farthestBehind = 64;
 constexpr int mostLateInARow = 8;
 constexpr double ticksPerSecond = 1e5;
 
@@ -24,9 +23,7 @@ Arrival HostFrames::arrival(std::uint32_t frame, Bytes datagram, std::uint32_t& 
         std::equal(datagram.begin(), datagram.end(), lastDatagram_.begin(), lastDatagram_.end())) {
       return Arrival::repeated;
     }
-    if (ahead < 0 && ahead > -farthestBehind && ++lateInARow_ < mostLateInARow) {
-      return Arrival::late;
-    }
+    if (ahead < 0 && ++lateInARow_ < mostLateInARow) return Arrival::late;
     if (ahead < 0) result = Arrival::restart;
     if (ahead > 1) lost = static_cast<std::uint32_t>(ahead) - 1;
   }

@@ -19,8 +19,8 @@ enum class Arrival : std::uint8_t {
 /// Follows the frame numbers of a host, which UDP may lose, double and reorder.
 class HostFrames {
  public:
-  /// `lost` becomes how many frames were passed over. A number less than 64 behind is late, until
-  /// eight in a row are: then, and further behind, the host has begun again.
+  /// `lost` becomes how many frames were passed over. A number behind the last is late, however far
+  /// behind, until eight in a row are: then the host has begun again.
   Arrival arrival(std::uint32_t frame, Bytes datagram, std::uint32_t& lost);
 
  private:
