@@ -60,7 +60,10 @@ std::optional<EntityPlace> Entities::place(std::uint16_t id, int deepest) const 
   const EntityPosition& at = found->second.position;
   const glm::dmat3 rotation = nedFromBody(at.yaw, at.pitch, at.roll);
   if (!at.attached) {
-    return EntityPlace{{at.latitude, at.longitude}, at.altitude, enuFromNed * rotation, at.clamp};
+    return EntityPlace{{.latitude_deg = at.latitude, .longitude_deg = at.longitude, .entity = id},
+                       at.altitude,
+                       enuFromNed * rotation,
+                       at.clamp};
   }
   if (deepest == 0) return {};
   std::optional<EntityPlace> parent = place(at.parent, deepest - 1);

@@ -28,7 +28,6 @@ class Entities {
   void set(const EntityControl& control, bool withPosition);
   void set(const EntityPosition& position);
   void clear() { entities_.clear(); }
-  bool empty() const { return entities_.empty(); }
 
   /// Where an active entity is, through the parents that it is attached to; nothing for one that is
   /// unknown, inactive, or attached in a ring or more than eight deep.

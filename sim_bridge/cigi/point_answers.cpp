@@ -58,7 +58,8 @@ class EntityFinder {
 };
 
 /// NaN, which no water serves, where there is no such entity.
-WaterPoint pointOf(const PointRequest& request, EntityFinder& finder, double& altitude) {
+WaterPoint pointOf(const PointRequest& request, EntityFinder& finder, std::uint32_t host,
+                   double& altitude) {
   altitude = request.z;
   if (!request.entityAxes) return {request.x, request.y};
   const std::optional<EntityPlace>& entity = finder.find(request.entity);
@@ -67,6 +68,7 @@ WaterPoint pointOf(const PointRequest& request, EntityFinder& finder, double& al
   WaterPoint point = entity->place;
   point.east += offset.x;
   point.north += offset.y;
+  point.host = host;
   altitude = entity->altitude + offset.z;
   return point;
 }
@@ -101,7 +103,7 @@ void PointAnswers::locate(std::span<const PointRequest> requests, const Entities
   EntityFinder finder(entities, moment, water);
   for (const PointRequest& request : requests) {
     double altitude = 0.0;
-    WaterPoint point = pointOf(request, finder, altitude);
+    WaterPoint point = pointOf(request, finder, moment.host, altitude);
     const bool velocity = request.question == PointQuestion::velocity;
     if (velocity) point.height = altitude - moment.waterLevel;
     (velocity ? velocityPoints_ : heightPoints_).push_back(point);

@@ -17,6 +17,7 @@ struct FrameMoment {
   double time = 0.0;        ///< s since the scene's epoch
   double waterLevel = 0.0;  ///< of still water above mean sea level, m
   std::uint32_t hostFrame = 0;
+  std::uint32_t host = 0;  ///< as the water knows it
 };
 
 /// The material code of answers: water.

@@ -195,15 +195,15 @@ void CigiSession::set(const WaveControl& control) {
 
 void CigiSession::tellWater() {
   if (waves_.changed(wavesAsked_)) water_.wavesAsked(options_.host, time_, wavesAsked_);
-  if (entities_.empty()) return;
+  const bool werePlaced = !placed_.empty();
   entities_.list(placed_);
-  if (!placed_.empty()) water_.entitiesAt(options_.host, time_, placed_);
+  if (werePlaced || !placed_.empty()) water_.entitiesAt(options_.host, time_, placed_);
 }
 
 void CigiSession::answerFrame() {
   ++igFrame_;
   out_.begin(dialect_, startOfFrame());
-  const FrameMoment moment{time_, waterLevel_, control_.hostFrame};
+  const FrameMoment moment{time_, waterLevel_, control_.hostFrame, options_.host};
   answers_.answer(requests_.nextFrame(), entities_, moment, water_, out_, counts_);
   if (!conditionsAsked_.empty()) answerConditions();
 }

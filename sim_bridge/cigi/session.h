@@ -33,7 +33,7 @@ struct SessionOptions {
   float clarity = 100.0f;              ///< %, until a host sets it
   std::size_t largestDatagram = 1472;  ///< bytes: what an Ethernet frame carries; ≥ 64
   std::size_t mostRequests = 4096;     ///< periodic ones kept, and answered once a frame
-  std::uint32_t host = 0;              ///< told to the water
+  std::uint32_t host = 0;              ///< told to the water; from 1, 0 has no hulls of its own
   /// Hears of the first of each kind of fault.
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };

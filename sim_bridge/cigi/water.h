@@ -16,6 +16,10 @@ struct WaterPoint {
   double east = 0.0;
   double north = 0.0;
   double height = 0.0;  ///< m above the still-water level; of velocities alone
+  /// The entity whose own waves are left out, because the point is of it, and its host; host 0:
+  /// none.
+  std::uint16_t entity = 0;
+  std::uint32_t host = 0;
 };
 
 struct WaterHeight {
@@ -66,7 +70,8 @@ class Water {
   virtual void wavesAsked(std::uint32_t host, double t, std::span<const HostWave> waves) {
     (void)host, (void)t, (void)waves;
   }
-  /// A host's active entities that stand on their own, in each of its frames that has any.
+  /// A host's active entities that stand on their own, in each of its frames that has any, and once
+  /// when it has none any more.
   virtual void entitiesAt(std::uint32_t host, double t, std::span<const HostEntity> entities) {
     (void)host, (void)t, (void)entities;
   }

@@ -297,6 +297,13 @@ TEST_F(CigiAnswers, ActiveEntitiesAreToldToTheWaterInEachFrame) {
   give(2, {b});
   EXPECT_EQ(water.entities.size(), 1u);
   EXPECT_EQ(water.entityTimes, (std::vector<double>{hostTime - 1.0, hostTime}));
+  EntityControl last = a;
+  last.state = 0;
+  give(3, {last});
+  EXPECT_TRUE(water.entities.empty());
+  EXPECT_EQ(water.entityTimes.size(), 3u);
+  give(4, {});
+  EXPECT_EQ(water.entityTimes.size(), 3u);
 }
 
 TEST_F(CigiAnswers, ViewsAreHandedOn) {
