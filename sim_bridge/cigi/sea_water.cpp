@@ -19,14 +19,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A wavelength may differ by this part from the one that its period has before it is told.
 constexpr double lengthTolerance = 0.05;
 
-/// A vector in true east and north as one of the plane, by cosine and sine of the convergence.
-glm::dvec2 planeFromTrue(glm::dvec2 turn, glm::dvec2 v) {
-  return {turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y};
-}
-glm::dvec2 trueFromPlane(glm::dvec2 turn, glm::dvec2 v) {
-  return {turn.x * v.x + turn.y * v.y, turn.x * v.y - turn.y * v.x};
-}
-
 bool isWater(SampleStatus status) {
   return !has(status, SampleStatus::notFinite) && !has(status, SampleStatus::outOfRange) &&
          !has(status, SampleStatus::dry);
@@ -46,16 +38,15 @@ bool isConsistent(const HostWave& wave, double depth) {
 
 }  // namespace
 
-const SeaWater::Base& SeaWater::baseOf(double latitude_deg, double longitude_deg) {
-  const bool same =
-      baseKnown_ && base_.latitude_deg == latitude_deg && base_.longitude_deg == longitude_deg;
-  if (same) return base_;
-  const SeaPlanePoint point = sea_.geodesy().seaPlaneFromGeodetic(latitude_deg, longitude_deg);
-  base_ = {latitude_deg,
-           longitude_deg,
-           point.inRange ? point.position : glm::dvec2(nan),
-           {std::cos(point.convergence), std::sin(point.convergence)}};
-  baseKnown_ = true;
+SeaWater::SeaWater(ServedSea& sea)
+    : sea_(sea), placer_(sea.geodesy()), latitude_deg_(nan), longitude_deg_(nan) {}
+
+const PlacedPoint& SeaWater::baseOf(double latitude_deg, double longitude_deg) {
+  if (latitude_deg_ != latitude_deg || longitude_deg_ != longitude_deg) {
+    base_ = placer_.place(latitude_deg, longitude_deg);
+    latitude_deg_ = latitude_deg;
+    longitude_deg_ = longitude_deg;
+  }
   return base_;
 }
 
@@ -67,15 +58,15 @@ std::uint32_t SeaWater::hullOf(const WaterPoint& point) const {
 
 void SeaWater::place(std::span<const WaterPoint> points) {
   places_.clear();
-  turns_.clear();
+  bases_.clear();
   runs_.clear();
   for (const WaterPoint& point : points) {
-    const Base& base = baseOf(point.latitude_deg, point.longitude_deg);
+    const PlacedPoint& base = baseOf(point.latitude_deg, point.longitude_deg);
     const std::uint32_t hull = hullOf(point);
     if (runs_.empty() || runs_.back().hull != hull) runs_.push_back({places_.size(), 0, hull});
     ++runs_.back().count;
-    places_.push_back(base.position + planeFromTrue(base.turn, {point.east, point.north}));
-    turns_.push_back(base.turn);
+    places_.push_back(base.position + base.planeFromTrue({point.east, point.north}));
+    bases_.push_back(base);
   }
 }
 
@@ -106,7 +97,7 @@ void SeaWater::heights(double t, std::span<const WaterPoint> points, std::span<W
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfaceSample& sample = samples_[i];
-    const glm::dvec2 slope = trueFromPlane(turns_[i], sample.slope);
+    const glm::dvec2 slope = bases_[i].trueFromPlane(sample.slope);
     const bool valid = isWater(sample.status) && std::isfinite(sample.height);
     out[i] = {sample.height, slope.x, slope.y, valid};
   }
@@ -131,7 +122,7 @@ void SeaWater::velocities(double t, std::span<const WaterPoint> points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const WaterKinematics& motion = motions_[i];
     const glm::dvec2 level =
-        trueFromPlane(turns_[i], glm::dvec2(motion.velocity.x, motion.velocity.y) + current);
+        bases_[i].trueFromPlane(glm::dvec2(motion.velocity.x, motion.velocity.y) + current);
     const bool ashore = now.outline() && !now.outline()->contains(places_[i]);
     const bool valid = std::isfinite(t) && !ashore && isWater(motion.status) &&
                        std::isfinite(level.x) && std::isfinite(motion.velocity.z);
@@ -165,7 +156,7 @@ void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEnti
   std::set<std::uint16_t> present;
   for (const HostEntity& entity : entities) {
     if (entity.entity >= sea_.scene().vessels.size()) continue;
-    const Base& base = baseOf(entity.place.latitude_deg, entity.place.longitude_deg);
+    const PlacedPoint& base = baseOf(entity.place.latitude_deg, entity.place.longitude_deg);
     const bool placed = WaveField::serves(base.position, t) && std::isfinite(entity.heading_deg);
     if (!placed) continue;
     present.insert(entity.entity);

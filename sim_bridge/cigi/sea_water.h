@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_bridge/cigi/water.h"
+#include "sim_bridge/service/plane_placer.h"
 #include "sim_bridge/service/served_sea.h"
 #include "surface/water_kinematics.h"
 
@@ -14,10 +15,9 @@ namespace seaway::bridge::cigi {
 
 /// A served sea as CIGI's hosts ask it.
 ///
-/// Points are taken into the sea plane: a geodetic one by its geodesic from the anchor, a point of
-/// an entity by that of the entity and its offset turned by the grid's convergence there, which is
-/// exact to the map's scale error (Geodesy) times the offset. What is dry, out of range or NaN is
-/// not valid. Velocities are orbital ones and the current.
+/// Points are taken into the sea plane by PlanePlacer, points of an entity from the entity's place:
+/// within 2 mm of their geodesics for 100 m. What is dry, out of range or NaN is not valid.
+/// Velocities are orbital ones and the current.
 ///
 /// Waves that a host enables take the place of the scene's: each a regular wave of half its height
 /// as amplitude, of its period, or, without one, its wavelength, in the scene's depth; the phase is
@@ -30,7 +30,7 @@ namespace seaway::bridge::cigi {
 /// For one thread at a time; several on one sea.
 class SeaWater : public Water {
  public:
-  explicit SeaWater(ServedSea& sea) : sea_(sea) {}
+  explicit SeaWater(ServedSea& sea);
 
   void heights(double t, std::span<const WaterPoint> points, std::span<WaterHeight> out) override;
   void velocities(double t, std::span<const WaterPoint> points,
@@ -40,12 +40,6 @@ class SeaWater : public Water {
   void hostGone(std::uint32_t host) override;
 
  private:
-  /// A geodetic position in the plane.
-  struct Base {
-    double latitude_deg = 0.0, longitude_deg = 0.0;
-    glm::dvec2 position{0.0};
-    glm::dvec2 turn{1.0, 0.0};  // cosine and sine of the convergence
-  };
   /// Consecutive points that leave out the same hull's waves.
   struct Run {
     std::size_t from = 0, count = 0;
@@ -53,16 +47,18 @@ class SeaWater : public Water {
   };
   using HullKey = std::pair<std::uint32_t, std::uint16_t>;  // host, entity
 
-  const Base& baseOf(double latitude_deg, double longitude_deg);
+  const PlacedPoint& baseOf(double latitude_deg, double longitude_deg);
   std::uint32_t hullOf(const WaterPoint& point) const;
   void place(std::span<const WaterPoint> points);
   void advanceWakes(double t);
 
   ServedSea& sea_;
-  Base base_;
-  bool baseKnown_ = false;
+  PlanePlacer placer_;
+  double latitude_deg_, longitude_deg_;  // of the base
+  PlacedPoint base_;
   std::map<HullKey, std::uint32_t> hulls_;
-  std::vector<glm::dvec2> places_, turns_;
+  std::vector<glm::dvec2> places_;
+  std::vector<PlacedPoint> bases_;
   std::vector<Run> runs_;
   std::vector<SurfaceSample> samples_;
   std::vector<glm::dvec3> points_;
