@@ -24,7 +24,8 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
                                (folder / "cost").string(), "--quick", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name : {"query_octaves", "fit_octaves", "image_depth_grid", "image_height_grid"}) {
+  for (const char* name : {"query_octaves", "fit_octaves", "image_position_grid",
+                           "image_depth_grid", "image_height_grid"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
@@ -35,6 +36,12 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   }
   EXPECT_EQ(nlohmann::json::parse(test::readFile(folder / "cost/cost.json")), report);
   EXPECT_TRUE(test::readFile(folder / "cost/cost.csv").starts_with("study,setting,error,"));
+  const std::string page = test::readFile(folder / "cost/report.html");
+  std::size_t figures = 0;
+  for (auto at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++figures;
+  // Octaves of queries, octaves of fits, pictures by the grid's size and by cost.
+  EXPECT_EQ(figures, 4u);
+  EXPECT_NE(page.find("vertices a side"), page.npos);
 }
 
 TEST(CostCommand, RefusesAFolderItCannotWriteBeforeAnyWork) {
