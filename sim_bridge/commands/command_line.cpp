@@ -28,9 +28,9 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
-    addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
-    addSchemaCommand,
+    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
+    addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
+    addLayerCommand,   addServeCommand, addSchemaCommand,
 };
 
 constexpr int failed = 1;
