@@ -59,6 +59,9 @@ struct View {
   std::span<const SceneObject> objects;
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
   bool wantsNormals = false;        ///< fill Frame::normals
+  /// The camera that a projected grid is placed for, where it is not `camera`: to look at a grid
+  /// from elsewhere, and to see what changes as it moves.
+  const Camera* gridCamera = nullptr;
 };
 
 /// One way to draw the sea and what floats on it.

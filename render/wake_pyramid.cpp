@@ -165,9 +165,11 @@ std::vector<float> slopeOf(const WakePyramid::Level& level, double cell, double&
       const int first = bx * n / blocks, low = by * n / blocks;
       float sum = 0.0f;
       for (int j = low; j < low + across; ++j) {
-        const float *const a = level.row(j - 1), *const b = level.row(j), *const c = level.row(j + 1);
+        const float *const a = level.row(j - 1), *const b = level.row(j),
+                           *const c = level.row(j + 1);
         for (int i = first; i < first + across; ++i) {
-          const float x = (a[i + 1] - a[i - 1]) + 4.0f * (b[i + 1] - b[i - 1]) + (c[i + 1] - c[i - 1]);
+          const float x =
+              (a[i + 1] - a[i - 1]) + 4.0f * (b[i + 1] - b[i - 1]) + (c[i + 1] - c[i - 1]);
           const float y = (c[i - 1] - a[i - 1]) + 4.0f * (c[i] - a[i]) + (c[i + 1] - a[i + 1]);
           sum += x * x + y * y;
           most[by] = std::max(most[by], x * x + y * y);

@@ -14,8 +14,8 @@ namespace seaway::render {
 ///
 /// Level 0 holds the window's own B-spline coefficients, Hermite-interpolated in time: what it
 /// gives is what DisturbanceState::addTo gives. Each further level has cells twice as large and
-/// keeps waves of four cells or more within 4 %, of eight within 0.2 %, half of those of two; what slope it
-/// loses is kept as a mean square.
+/// keeps waves of four cells or more within 4 %, of eight within 0.2 %, half of those of two; what
+/// slope it loses is kept as a mean square.
 class WakePyramid {
  public:
   /// Takes the surface at time `t` (s). Memory is used again.

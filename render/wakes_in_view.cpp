@@ -9,7 +9,8 @@ namespace {
 
 /// Whether a row of the grid, as a box, meets a window.
 bool meets(const WakeSheet& sheet, glm::dvec2 foot, const GridLayout& layout) {
-  const glm::dvec2 least = sheet.centre - 0.5 * sheet.size(), most = sheet.centre + 0.5 * sheet.size();
+  const glm::dvec2 least = sheet.centre - 0.5 * sheet.size(),
+                   most = sheet.centre + 0.5 * sheet.size();
   return std::any_of(layout.rows.begin(), layout.rows.end(), [&](const GridLayout::Row& row) {
     const glm::dvec2 a = foot + row.start, b = a + (layout.size.x - 1.0) * row.step;
     const glm::dvec2 low = glm::min(a, b), high = glm::max(a, b);

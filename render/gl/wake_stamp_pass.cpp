@@ -32,7 +32,8 @@ void WakeStampPass::upload(const WakePyramid& pyramid, Sheet& sheet) {
     if (l < count) {
       glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(level.stride));
       // As in wake_stamps.frag.
-      const glm::ivec2 corner = l == 0 ? glm::ivec2(0) : glm::ivec2(sheet.cells, sheet.cells - 2 * level.cells);
+      const glm::ivec2 corner =
+          l == 0 ? glm::ivec2(0) : glm::ivec2(sheet.cells, sheet.cells - 2 * level.cells);
       glTextureSubImage2D(sheet.spline, 0, corner.x, corner.y, level.cells, level.cells, GL_RED,
                           GL_FLOAT, level.row(0));
       glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);

@@ -17,6 +17,7 @@
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
 #include "sim_bridge/commands/schema_command.h"
+#include "sim_bridge/commands/serve.h"
 #include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
 #include "sim_bridge/scene/schema.h"
@@ -27,9 +28,9 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
-    addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
-    addLayerCommand,  addSchemaCommand,
+    addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
+    addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
+    addSchemaCommand,
 };
 
 constexpr int failed = 1;

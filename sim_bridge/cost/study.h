@@ -61,6 +61,14 @@ std::vector<Study> studyLayers(const StudyOptions& options);
 /// ray-march, and height of the field where pixels lie (rms m).
 std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
+/// Share of a projected grid's vertices that lie outside the picture (median over ordinary views)
+/// against ms to place 256x512 of them, by where its rows end.
+Study studyVertexEfficiency(const Sea& sea, const StudyOptions& options);
+
+/// Two studies of the scene's first camera, by grid size, ms a frame: how much the drawn surface of
+/// a frozen sea changes a frame (px rms) as the camera moves ahead, and as it turns.
+std::vector<Study> studySwimming(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
 /// Three studies of the wake of the scene's first vessel under way, by cell size, step and window:
 /// rms error in % of the wake's height around the vessel against us of work in 0.1 s. None where no
 /// vessel is under way.

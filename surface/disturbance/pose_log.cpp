@@ -35,9 +35,8 @@ PoseAnswer PoseLog::record(const VesselPose& pose) {
     jumped = glm::length(place.position - last.place.position) > fastest * (pose.time - last.time);
   }
   // A vessel at rest: the last of its poses only moves on in time.
-  if (entries_.size() > 2 && std::all_of(entries_.end() - 3, entries_.end(), [&](const Entry& e) {
-        return e.pose.place == place;
-      })) {
+  if (entries_.size() > 2 && std::all_of(entries_.end() - 3, entries_.end(),
+                                         [&](const Entry& e) { return e.pose.place == place; })) {
     entries_.back().pose.time = pose.time;
     return PoseAnswer::accepted;
   }

@@ -191,7 +191,8 @@ HWY_INLINE void LocateAxis(const double* x, std::size_t count, double perCell, d
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> f;
   const hn::Rebind<std::int32_t, decltype(d)> n;
-  const auto scale = hn::Set(d, perCell), whole = hn::Set(d, cells), turns = hn::Set(d, 1.0 / cells);
+  const auto scale = hn::Set(d, perCell), whole = hn::Set(d, cells),
+             turns = hn::Set(d, 1.0 / cells);
   for (std::size_t p = 0; p < count; p += hn::Lanes(d)) {
     const auto at = hn::Mul(hn::LoadU(d, x + p), scale);
     const auto low = hn::Floor(at);
@@ -304,7 +305,9 @@ HWY_INLINE void AddPoint(const Sheet& sheet, const Places& places, std::size_t p
   const Cells weightsX = sheet.weights.At<3>(&places.partX[p]);
   const Cells now = At(sheet.height, value);
   if constexpr (kWhat == SheetQuantities::height) {
-    sums[height] += hn::GetLane(hn::SumOfLanes(f, Halved(Folded(Times(now, weightsX)))));
+    // Summed as below: a height is the same bits whatever else is asked.
+    const V products = Folded(Times(now, weightsX));
+    sums[height] += hn::GetLane(SumsOf(products, products, products, products));
     return;
   } else {
     const Cells slopesX = sheet.slopes.At<2>(&places.partX[p]);
@@ -333,8 +336,7 @@ HWY_INLINE void AddPoints(const SheetSampling& s, const double* x, const double*
   Places places;
   for (std::size_t first = 0; first < count; first += kTogether) {
     const std::size_t some = std::min(kTogether, count - first);
-    Locate<kWhat != SheetQuantities::height>(s, x + first, y + first, some, allInside,
-                                            places);
+    Locate<kWhat != SheetQuantities::height>(s, x + first, y + first, some, allInside, places);
     for (std::size_t p = 0; p < some; ++p) {
       if (places.inside[p]) AddPoint<kWhat>(sheet, places, p, sums[first + p]);
     }

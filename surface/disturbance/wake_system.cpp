@@ -69,10 +69,9 @@ WakeSystem::~WakeSystem() = default;
 
 std::uint32_t WakeSystem::addVessel(const HullFootprint& hull) {
   const glm::dvec2 extent = hull.upper() - hull.lower();
-  auto levels = settings_.cascade.empty()
-                    ? cascadeOf(std::max(extent.x, extent.y), settings_.depth, settings_.cell,
-                                settings_.window)
-                    : settings_.cascade;
+  auto levels = settings_.cascade.empty() ? cascadeOf(std::max(extent.x, extent.y), settings_.depth,
+                                                      settings_.cell, settings_.window)
+                                          : settings_.cascade;
   for (WakeLevel& level : levels) level.window.depth = settings_.depth;
   vessels_.push_back(std::make_unique<Vessel>(nextHandle_, hull, std::move(levels)));
   return nextHandle_++;
@@ -87,8 +86,7 @@ void WakeSystem::removeVessel(std::uint32_t vessel) {
 PoseAnswer WakeSystem::record(std::uint32_t vessel, const WakePose& pose) {
   // The solver's frame drifts with the water.
   return vesselOf(vessel).log.record(
-      {pose.time,
-                   {pose.position - settings_.current * pose.time, pose.heading, pose.immersion}});
+      {pose.time, {pose.position - settings_.current * pose.time, pose.heading, pose.immersion}});
 }
 
 WakeSystem::Vessel& WakeSystem::vesselOf(std::uint32_t handle) const {

@@ -204,7 +204,8 @@ void WakeWindow::drawFilled(const HullPlace& place, glm::dvec2 velocity, WakeGri
     const std::size_t shared = static_cast<std::size_t>(std::abs(my)), row = rowOf(my);
     const float* const share = tables_->share.row(shared);
     const float* const slowness = tables_->gravityOverOmega.row(shared);
-    const float *const hullReal = footprintReal_.row(row), *const hullOther = footprintImaginary_.row(row);
+    const float *const hullReal = footprintReal_.row(row), *const hullOther =
+                                                               footprintImaginary_.row(row);
     const std::complex<float> rowPlace = static_cast<float>(place.immersion) * y.at(my);
     const auto paceY = static_cast<float>(unit * my * velocity.y);
     float *const outReal = real.row(row), *const outImaginary = imaginary.row(row);

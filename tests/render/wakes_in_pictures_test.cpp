@@ -181,8 +181,7 @@ TEST(WakesInPictures, MakeNothingInOpenGlWhereThereAreNone) {
   EffectLedger effects;
   View view = viewOf(plain, chaseCamera({48, 32}), effects);
   for (const GridVariant variant : {GridVariant::gpu, GridVariant::marched}) {
-    const auto technique =
-        makeProjectedGrid(context, {.grid = {32, 32}, .variant = variant});
+    const auto technique = makeProjectedGrid(context, {.grid = {32, 32}, .variant = variant});
     const test::GlCensus census;
     technique->draw(view);
     const auto before = test::GlCensus::alive();

@@ -131,8 +131,10 @@ TEST(SceneWakes, RunNoWindowForWhoeverIsFarAway) {
 }
 
 TEST(SceneWakes, RunNoneWhereNobodyIsUnderWay) {
-  const Waters waters("sea: {anchor: {latitude_deg: 0, longitude_deg: 0}, state: {calm: {}}}\n"
-                      "vessels:\n" + anchored + faraway);
+  const Waters waters(
+      "sea: {anchor: {latitude_deg: 0, longitude_deg: 0}, state: {calm: {}}}\n"
+      "vessels:\n" +
+      anchored + faraway);
   EffectLedger ledger(waters.scene.effects);
   Simulation simulation = waters.start();
   simulation.step(&ledger);
@@ -215,10 +217,10 @@ TEST(SceneWakes, ReachQueriesNearAVesselUnderWay) {
 TEST(SceneWakesHard, TwoHundredVesselsRunNoMoreWakesThanAllowed) {
   std::string others;
   for (int i = 0; i < 199; ++i) {
-    others += "  - {name: v" + std::to_string(i) + ", model: launch.yaml, start: {latitude_deg: " +
-              std::to_string(0.0004 * (i / 15)) + ", longitude_deg: " +
-              std::to_string(0.0004 * (i % 15 + 1)) + "}, speed_m_s: " +
-              std::to_string(i % 5) + "}\n";
+    others += "  - {name: v" + std::to_string(i) +
+              ", model: launch.yaml, start: {latitude_deg: " + std::to_string(0.0004 * (i / 15)) +
+              ", longitude_deg: " + std::to_string(0.0004 * (i % 15 + 1)) +
+              "}, speed_m_s: " + std::to_string(i % 5) + "}\n";
   }
   std::string text = sceneOf(others);
   text.replace(text.find("window_m: 128"), 13, "window_m: 64, most: 5");
@@ -235,9 +237,9 @@ TEST(SceneWakesHard, TwoHundredVesselsRunNoMoreWakesThanAllowed) {
 
 TEST(SceneWakesHard, HullsThatCrossAndTouchStayFinite) {
   // Straight through the other: nothing keeps prescribed courses apart.
-  const Waters waters(sceneOf(
-      "  - {name: other, model: launch.yaml, start: {latitude_deg: 0.00018, longitude_deg: "
-      "0.00018, heading_deg: 270}, speed_m_s: 5}\n"));
+  const Waters waters(
+      sceneOf("  - {name: other, model: launch.yaml, start: {latitude_deg: 0.00018, longitude_deg: "
+              "0.00018, heading_deg: 270}, speed_m_s: 5}\n"));
   Simulation simulation = waters.start();
   double largest = 0.0;
   while (simulation.time() < 8.0) {

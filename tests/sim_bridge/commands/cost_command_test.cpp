@@ -26,8 +26,8 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   const auto report = nlohmann::json::parse(outcome.out);
   for (const char* name :
        {"query_octaves", "fit_octaves", "image_position_grid", "image_depth_grid",
-        "image_height_grid", "wake_cell", "wake_step", "wake_window", "layer_memory",
-        "layer_painting", "layer_sampling"}) {
+        "image_height_grid", "image_swimming", "image_swimming_turning", "wake_cell", "wake_step",
+        "wake_window", "layer_memory", "layer_painting", "layer_sampling"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
@@ -36,6 +36,10 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
         << name;
     for (const auto& point : study["points"]) EXPECT_GT(point["cost"].get<double>(), 0.0);
   }
+  const auto& wasted = studyCalled(report, "image_wasted_vertices")["points"];
+  ASSERT_EQ(wasted.size(), 2u);
+  EXPECT_LT(wasted[1]["error"].get<double>(), 0.2);
+  EXPECT_LT(wasted[1]["error"].get<double>(), wasted[0]["error"].get<double>());
   EXPECT_EQ(nlohmann::json::parse(test::readFile(folder / "cost/cost.json")), report);
   EXPECT_TRUE(test::readFile(folder / "cost/cost.csv").starts_with("study,setting,error,"));
   const std::string page = test::readFile(folder / "cost/report.html");

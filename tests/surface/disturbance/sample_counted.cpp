@@ -12,7 +12,8 @@ int main(int count, char** arguments) {
   if (count != 4) return 2;
   const bool idle = std::strcmp(arguments[1], "idle") == 0;
   std::vector<Octave> octaves;
-  for (int i = 0; i < 12; ++i) octaves.push_back(makeGroupOctave(0.1, 0.1 + 0.03 * i, 0.02, 0.2 * i, 0.4));
+  for (int i = 0; i < 12; ++i)
+    octaves.push_back(makeGroupOctave(0.1, 0.1 + 0.03 * i, 0.02, 0.2 * i, 0.4));
   WaterSurface water{WaveField(octaves)};
   WakeSystem wakes;
   const std::uint32_t vessel = wakes.addVessel(HullFootprint::box(12.0, 3.0, 0.5));
