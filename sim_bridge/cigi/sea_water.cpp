@@ -53,7 +53,8 @@ const PlacedPoint& SeaWater::baseOf(double latitude_deg, double longitude_deg) {
 std::uint32_t SeaWater::hullOf(const WaterPoint& point) const {
   if (point.host == 0 || hulls_.empty()) return 0;
   const auto found = hulls_.find({point.host, point.entity});
-  return found == hulls_.end() ? 0 : found->second;
+  if (found == hulls_.end()) return 0;
+  return sea_.scene().vessels[point.entity].model.wake.feltByItself ? 0 : found->second;
 }
 
 void SeaWater::place(std::span<const WaterPoint> points) {
@@ -169,7 +170,8 @@ void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEnti
     if (hull == hulls_.end()) continue;
     const double heading =
         sea_.geodesy().directionFromTrueHeading(base.position, entity.heading_deg);
-    sea_.record(hull->second, {t, base.position, heading, 1.0});
+    const double strength = sea_.scene().vessels[entity.entity].model.wake.strength;
+    sea_.record(hull->second, {t, base.position, heading, strength});
   }
   std::erase_if(hulls_, [&](const auto& entry) {
     const bool gone = entry.first.first == host && !present.contains(entry.first.second);

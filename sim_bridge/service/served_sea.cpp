@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "surface/disturbance/hull_footprint.h"
+#include "sim_bridge/vessel/wake_footprint.h"
 
 namespace seaway::bridge {
 
@@ -18,6 +18,8 @@ void ServedSea::publish(WaterSurface surface) {
 void ServedSea::setOctaves(std::vector<Octave> octaves) {
   WaterSurface surface(WaveField(std::move(octaves), sea_.surface.waves().settings()));
   surface.setOutline(sea_.surface.sharedOutline());
+  surface.setEvents(sea_.surface.extras().events);
+  surface.setDetail(sea_.surface.extras().detail);
   const std::lock_guard lock(writing_);
   publish(std::move(surface));
 }
@@ -30,17 +32,20 @@ void ServedSea::restoreOctaves() {
 std::uint32_t ServedSea::addHull(std::size_t index) {
   const EffectSetting setting = scene_->effects[static_cast<std::size_t>(Effect::wake)];
   if (index >= scene_->vessels.size() || setting == EffectSetting::off) return 0;
+  if (!(scene_->vessels[index].model.wake.strength > 0.0)) return 0;
   const std::lock_guard lock(writing_);
   if (!wakes_) {
     WakeSystemSettings settings;
     settings.depth = scene_->sea.depth;
     settings.current = sea_.surface.waves().settings().current;
+    settings.mostWakes = static_cast<std::size_t>(scene_->accuracy.wakes.most);
+    settings.cell = scene_->accuracy.wakes.cell;
+    settings.window = scene_->accuracy.wakes.window;
     wakes_ = std::make_unique<WakeSystem>(settings);
     publish(*surface());
   }
-  const BoxHull& hull = scene_->vessels[index].model.hull;
   ++hulls_;
-  return wakes_->addVessel(HullFootprint::box(hull.length, hull.beam, hull.draft()));
+  return wakes_->addVessel(wakeFootprint(scene_->vessels[index].model));
 }
 
 void ServedSea::removeHull(std::uint32_t hull) {

@@ -36,8 +36,8 @@ class ServedSea {
   /// The scene's own waves again.
   void restoreOctaves();
 
-  /// A hull of the scene's vessel `index` that a host sails; 0 where there is no such vessel or
-  /// wakes are switched off.
+  /// A hull of the scene's vessel `index` that a host sails; 0 where there is no such vessel, or
+  /// it makes no waves, or wakes are switched off.
   std::uint32_t addHull(std::size_t index);
   void removeHull(std::uint32_t hull);
   void record(std::uint32_t hull, const WakePose& pose);
