@@ -16,6 +16,8 @@ namespace seaway {
 /// What disturbs a sea, as WakeSystem publishes it.
 using DisturbanceFeed = Published<DisturbanceState>;
 
+class WaterSurface;
+
 /// The water surface prepared for one time: what to ask for many queries of few points at that
 /// time. Refers to the surface it comes from, which must outlive it, and holds the disturbances of
 /// the moment it was made. Const calls are thread-safe and allocate nothing.
@@ -25,6 +27,10 @@ class SurfaceAtTime {
                          std::shared_ptr<const DisturbanceState> disturbances = nullptr,
                          const WaterOutline* outline = nullptr)
       : waves_(std::move(waves)), disturbances_(std::move(disturbances)), outline_(outline) {}
+
+  /// Prepares this object for `surface` at another time, with the disturbances of now: as
+  /// WaterSurface::at, but allocates only for a field with more octaves. Not while others sample.
+  void moveTo(const WaterSurface& surface, double t);
 
   double time() const { return waves_.time(); }
   const FieldAtTime& waves() const { return waves_; }
@@ -124,5 +130,11 @@ class WaterSurface {
   std::shared_ptr<const DisturbanceFeed> feed_;
   std::shared_ptr<const WaterOutline> outline_;
 };
+
+inline void SurfaceAtTime::moveTo(const WaterSurface& surface, double t) {
+  waves_.moveTo(surface.waves(), t);
+  disturbances_ = surface.disturbances();
+  outline_ = surface.outline();
+}
 
 }  // namespace seaway
