@@ -12,6 +12,7 @@
 #include "sim_bridge/commands/cost.h"
 #include "sim_bridge/commands/explain.h"
 #include "sim_bridge/commands/fit.h"
+#include "sim_bridge/commands/hull.h"
 #include "sim_bridge/commands/query.h"
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
@@ -28,7 +29,7 @@ namespace {
 constexpr AddCommand commands[] = {
     addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
     addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
-    addSchemaCommand,
+    addHullCommand,    addSchemaCommand,
 };
 
 constexpr int failed = 1;

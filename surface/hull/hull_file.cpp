@@ -130,12 +130,12 @@ TriangleMesh readHullFile(const std::filesystem::path& file, const HullFileSetti
   return welded(mesh, 1e-6 * longest);
 }
 
-void writeHullFile(const std::filesystem::path& file, const TriangleMesh& mesh) {
+std::string hullFileBytes(const std::filesystem::path& file, const TriangleMesh& mesh) {
   const char* format = formatOf(file);
   Assimp::Exporter exporter;
-  if (exporter.Export(sceneOf(mesh).get(), format, file.string()) != aiReturn_SUCCESS) {
-    throw std::runtime_error(file.string() + ": cannot be written: " + exporter.GetErrorString());
-  }
+  const aiExportDataBlob* blob = exporter.ExportToBlob(sceneOf(mesh).get(), format);
+  if (!blob) throw std::runtime_error(std::string("no mesh made: ") + exporter.GetErrorString());
+  return {static_cast<const char*>(blob->data), blob->size};
 }
 
 }  // namespace seaway

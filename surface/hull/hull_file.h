@@ -20,9 +20,8 @@ struct HullFileSettings {
 /// holds no triangle or a coordinate that is not finite, and for settings out of range.
 TriangleMesh readHullFile(const std::filesystem::path& file, const HullFileSettings& settings = {});
 
-/// Writes an STL (binary), OBJ or GLB file in metres and the body frame, by its ending, in place of
-/// whatever stands at `file`. Throws InputError for another ending, std::runtime_error where the
-/// file cannot be written.
-void writeHullFile(const std::filesystem::path& file, const TriangleMesh& mesh);
+/// What an STL (binary), OBJ or GLB file of a mesh holds, in metres and the body frame; the format
+/// is that of the ending of `file`, which is not touched. Throws InputError for another ending.
+std::string hullFileBytes(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 }  // namespace seaway

@@ -51,7 +51,13 @@ struct BodySums {
   Load buoyancy, drag, wind;
   double volume = 0.0, wetted = 0.0;
 
-  /// Pressure that is linear over a triangle: −∫ p n dA and −∫ p r × n dA.
+  /// Pressure that is linear over a panel: −∫ p n dA and −∫ p r × n dA.
+  void press(const HullModel::Panel& panel, double pa, double pb, double pc) {
+    buoyancy.force -= ((pa + pb + pc) * (1.0 / 3.0)) * panel.area;
+    buoyancy.moment -= pa * panel.moments[0] + pb * panel.moments[1] + pc * panel.moments[2];
+  }
+
+  /// The same over a triangle.
   void press(const glm::dvec3& area, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
              double pa, double pb, double pc) {
     const double sum = pa + pb + pc;
@@ -78,8 +84,8 @@ struct LoadWork {
 
   // The body's motion in its own axes, and the water's at the probes.
   glm::dvec3 velocity{0.0}, turning{0.0};
-  std::array<glm::dvec3, HullModel::probes> flow{};
-  std::array<double, HullModel::probes> rise{};  // of the water, m/s
+  std::array<glm::dvec3, HullModel::probes> flow{}, slip{};  // of the water, of the body in it
+  std::array<double, HullModel::probes> rise{};              // of the water, m/s
   glm::dvec3 wind{0.0};
   double friction = 0.0;
   bool flows = false;
@@ -93,8 +99,7 @@ struct LoadWork {
         options(itsOptions),
         worldFromBody(glm::mat3_cast(itsPose.worldFromBody)),
         bodyFromWorld(glm::transpose(worldFromBody)) {
-    sampling.shortestWavelength =
-        options.shortestWavelength.value_or(hull.shortestWavelength());
+    sampling.shortestWavelength = options.shortestWavelength.value_or(hull.shortestWavelength());
     sampling.derivatives = false;
     sampling.excludeVessel = options.ownWake;
     velocity = bodyFromWorld * pose.velocity;
@@ -118,7 +123,12 @@ struct LoadWork {
   bool submergeVertices();
   void addDynamicPressure(std::size_t wet);
   void pressPanels();
-  void drag(const HullModel::Panel& panel, double wetPart, const glm::dvec3& at, bool cut);
+  struct WetPart {
+    double share, meanDepth;
+  };
+  WetPart pressCut(const HullModel::Panel& panel, const Wetness& wetness);
+  void drag(const HullModel::Panel& panel, double wetPart, bool cut);
+  void blow(const HullModel::Panel& panel, double dryPart);
   void pushColumns();
   void dragColumns();
   void radiate();
@@ -154,7 +164,8 @@ bool LoadWork::probeWater() {
     rise[i] = own.z;
     flow[i] = bodyFromWorld * (own + current);
     if (known) result.waterAcceleration += motion[i].acceleration / double(HullModel::probes);
-    fastest = std::max(fastest, glm::length(velocity - flow[i]));
+    slip[i] = velocity - flow[i];
+    fastest = std::max(fastest, glm::length(slip[i]));
   }
   flows = fastest > 0.0 || glm::length(turning) > 0.0;
   friction = skinFriction(hull, fastest);
@@ -199,8 +210,7 @@ void LoadWork::addDynamicPressure(std::size_t wet) {
   for (std::size_t n = 0; n < wet; ++n) {
     const std::uint32_t i = scratch.wet_[n];
     const double below = -scratch.depth_[i], height = scratch.height_[i];
-    const double stretched =
-        std::isinf(bed) ? below : std::max(bed * below / (bed + height), -bed);
+    const double stretched = std::isinf(bed) ? below : std::max(bed * below / (bed + height), -bed);
     scratch.place_[n] = {scratch.x_[i], scratch.y_[i]};
     scratch.stretched_[n] = static_cast<float>(stretched);
   }
@@ -220,75 +230,74 @@ void LoadWork::addDynamicPressure(std::size_t wet) {
   }
 }
 
-/// Drag on the wet part of a panel, wind on the rest.
-void LoadWork::drag(const HullModel::Panel& panel, double wetPart, const glm::dvec3& at, bool cut) {
+/// Drag on the wet part of a panel.
+void LoadWork::drag(const HullModel::Panel& panel, double wetPart, bool cut) {
   const HullCoefficients& c = hull.settings().coefficients;
-  if (wetPart > 0.0 && flows) {
-    const glm::dvec3 u = velocity + glm::cross(turning, at) -
-                         flow[static_cast<std::size_t>(panel.probe)];
-    const double normal = glm::dot(u, panel.normal);
-    const glm::dvec3 along = u - normal * panel.normal;
-    double push = c.formDrag * std::abs(normal) * normal;
-    if (cut && normal > 0.0) push += c.slamming * normal * normal;
-    const glm::dvec3 force = -0.5 * seaWaterDensity * wetPart * panel.size *
-                             (push * panel.normal + friction * glm::length(along) * along);
-    sums.drag.force += force;
-    sums.drag.moment += glm::cross(at, force);
+  const glm::dvec3 u =
+      slip[static_cast<std::size_t>(panel.probe)] + glm::cross(turning, panel.middle);
+  const double normal = glm::dot(u, panel.normal);
+  const double along = std::sqrt(std::max(glm::dot(u, u) - normal * normal, 0.0));
+  double push = c.formDrag * std::abs(normal) * normal - friction * along * normal;
+  if (cut && normal > 0.0) push += c.slamming * normal * normal;
+  const glm::dvec3 force = (-0.5 * seaWaterDensity * wetPart * panel.size) *
+                           (push * panel.normal + (friction * along) * u);
+  sums.drag.force += force;
+  sums.drag.moment += glm::cross(panel.middle, force);
+}
+
+/// Wind on the dry part of a panel.
+void LoadWork::blow(const HullModel::Panel& panel, double dryPart) {
+  const glm::dvec3 u = velocity + glm::cross(turning, panel.middle) - wind;
+  const double normal = glm::dot(u, panel.normal);
+  const glm::dvec3 force = -0.5 * airDensity * hull.settings().coefficients.windDrag *
+                           std::abs(normal) * normal * dryPart * panel.size * panel.normal;
+  sums.wind.force += force;
+  sums.wind.moment += glm::cross(panel.middle, force);
+}
+
+/// Pressure on the wet part of a panel that the surface cuts; that part, and the mean depth on it.
+LoadWork::WetPart LoadWork::pressCut(const HullModel::Panel& panel, const Wetness& wetness) {
+  const auto& vertices = hull.mesh().vertices;
+  const std::uint32_t i = panel.corners[wetness.lone], j = panel.corners[(wetness.lone + 1) % 3],
+                      k = panel.corners[(wetness.lone + 2) % 3];
+  const glm::dvec3 n = vertices[i] + wetness.next * (vertices[j] - vertices[i]);
+  const glm::dvec3 m = vertices[i] + wetness.before * (vertices[k] - vertices[i]);
+  const auto& pressure = scratch.pressure_;
+  const auto& depth = scratch.depth_;
+  const double loneShare = wetness.next * wetness.before;
+  if (wetness.wet == 1) {
+    sums.press(loneShare * panel.area, vertices[i], n, m, pressure[i], 0.0, 0.0);
+    return {loneShare, depth[i] / 3.0};
   }
-  if (wetPart < 1.0 && options.wind) {
-    const glm::dvec3 u = velocity + glm::cross(turning, at) - wind;
-    const double normal = glm::dot(u, panel.normal);
-    const glm::dvec3 force = -0.5 * airDensity * c.windDrag * std::abs(normal) * normal *
-                             (1.0 - wetPart) * panel.size * panel.normal;
-    sums.wind.force += force;
-    sums.wind.moment += glm::cross(at, force);
-  }
+  // Triangles n, j, k and n, k, m: the first has 1 − next of the whole.
+  const double whole = 1.0 - loneShare, first = 1.0 - wetness.next, second = whole - first;
+  sums.press(first * panel.area, n, vertices[j], vertices[k], 0.0, pressure[j], pressure[k]);
+  sums.press(second * panel.area, n, vertices[k], m, 0.0, pressure[k], 0.0);
+  return {whole,
+          (first * (depth[j] + depth[k]) + second * depth[k]) / (3.0 * std::max(whole, 1e-300))};
 }
 
 void LoadWork::pressPanels() {
-  const auto& vertices = hull.mesh().vertices;
   const glm::dvec3 up = bodyFromWorld[2];
+  const auto& depth = scratch.depth_;
+  const auto& pressure = scratch.pressure_;
   for (const HullModel::Panel& panel : hull.panels()) {
-    const std::array<std::uint32_t, 3> index{panel.corners.x, panel.corners.y, panel.corners.z};
-    const std::array<double, 3> depth{scratch.depth_[index[0]], scratch.depth_[index[1]],
-                                      scratch.depth_[index[2]]};
-    const Wetness wetness(depth);
-    const glm::dvec3 &a = vertices[index[0]], &b = vertices[index[1]], &c = vertices[index[2]];
-    const glm::dvec3 middle = (a + b + c) * (1.0 / 3.0);
+    const std::uint32_t i = panel.corners.x, j = panel.corners.y, k = panel.corners.z;
+    const Wetness wetness({depth[i], depth[j], depth[k]});
     if (wetness.wet == 0) {
-      if (options.wind) drag(panel, 0.0, middle, false);
+      if (options.wind) blow(panel, 1.0);
       continue;
     }
-    double wetPart = 1.0, meanDepth;
+    WetPart wet{1.0, (depth[i] + depth[j] + depth[k]) * (1.0 / 3.0)};
     if (wetness.wet == 3) {
-      sums.press(panel.area, a, b, c, scratch.pressure_[index[0]], scratch.pressure_[index[1]],
-                 scratch.pressure_[index[2]]);
-      meanDepth = (depth[0] + depth[1] + depth[2]) / 3.0;
+      sums.press(panel, pressure[i], pressure[j], pressure[k]);
     } else {
-      const auto lone = static_cast<std::size_t>(wetness.lone);
-      const std::uint32_t i = index[lone], j = index[(lone + 1) % 3], k = index[(lone + 2) % 3];
-      const glm::dvec3 n = vertices[i] + wetness.next * (vertices[j] - vertices[i]);
-      const glm::dvec3 m = vertices[i] + wetness.before * (vertices[k] - vertices[i]);
-      const double loneShare = wetness.next * wetness.before;
-      if (wetness.wet == 1) {
-        wetPart = loneShare;
-        sums.press(wetPart * panel.area, vertices[i], n, m, scratch.pressure_[i], 0.0, 0.0);
-        meanDepth = scratch.depth_[i] / 3.0;
-      } else {
-        wetPart = 1.0 - loneShare;
-        // n, j, k and n, k, m: the first has 1 − next of the whole.
-        const double first = 1.0 - wetness.next, second = wetPart - first;
-        sums.press(first * panel.area, n, vertices[j], vertices[k], 0.0, scratch.pressure_[j],
-                   scratch.pressure_[k]);
-        sums.press(second * panel.area, n, vertices[k], m, 0.0, scratch.pressure_[k], 0.0);
-        meanDepth = (first * (scratch.depth_[j] + scratch.depth_[k]) +
-                     second * scratch.depth_[k]) /
-                    (3.0 * std::max(wetPart, 1e-300));
-      }
+      wet = pressCut(panel, wetness);
+      if (options.wind) blow(panel, 1.0 - wet.share);
     }
-    sums.volume -= wetPart * meanDepth * glm::dot(panel.area, up);
-    sums.wetted += wetPart * panel.size;
-    drag(panel, wetPart, middle, wetness.wet != 3);
+    sums.volume -= wet.share * wet.meanDepth * glm::dot(panel.area, up);
+    sums.wetted += wet.share * panel.size;
+    if (flows) drag(panel, wet.share, wetness.wet != 3);
   }
 }
 
@@ -367,8 +376,7 @@ void LoadWork::radiate() {
   // Water that rises forward turns the bow up: about −y.
   const glm::dvec3 couple(-share * damping.y * (turning.x - rolling / yy),
                           -share * damping.z * (turning.y + pitching / xx), 0.0);
-  result.radiation = {worldFromBody * force,
-                      worldFromBody * (couple + glm::cross(gravity, force))};
+  result.radiation = {worldFromBody * force, worldFromBody * (couple + glm::cross(gravity, force))};
 }
 
 HullLoads LoadWork::finish() {

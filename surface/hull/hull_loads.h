@@ -19,10 +19,10 @@ inline constexpr double airDensity = 1.225;
 
 /// Where a hull is and how it moves, in the sea plane's axes.
 struct HullPose {
-  glm::dvec3 position{0.0};                     ///< of the body's origin, m
+  glm::dvec3 position{0.0};                      ///< of the body's origin, m
   glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};  ///< unit
-  glm::dvec3 velocity{0.0};                     ///< of the body's origin, m/s
-  glm::dvec3 angularVelocity{0.0};              ///< rad/s
+  glm::dvec3 velocity{0.0};                      ///< of the body's origin, m/s
+  glm::dvec3 angularVelocity{0.0};               ///< rad/s
 };
 
 /// A force and its moment about the body's origin, in the sea plane's axes: N and N·m.

@@ -16,11 +16,11 @@ void requireSane(const HullSettings& s) {
     throw InputError("a hull's mass of " + std::to_string(s.mass) + " kg must be above 0");
   }
   const HullCoefficients& c = s.coefficients;
-  for (const double value : {c.formDrag, c.skinFriction.value_or(0.0), c.slamming, c.windDrag,
-                             c.heaveDamping, c.rollDamping, c.pitchDamping, c.addedMass[0],
-                             c.addedMass[1], c.addedMass[2], c.addedMass[3], c.addedMass[4],
-                             c.addedMass[5], s.gyradii.x, s.gyradii.y, s.gyradii.z,
-                             s.shortestWavelength.value_or(0.0)}) {
+  for (const double value :
+       {c.formDrag, c.skinFriction.value_or(0.0), c.slamming, c.windDrag, c.heaveDamping,
+        c.rollDamping, c.pitchDamping, c.addedMass[0], c.addedMass[1], c.addedMass[2],
+        c.addedMass[3], c.addedMass[4], c.addedMass[5], s.gyradii.x, s.gyradii.y, s.gyradii.z,
+        s.shortestWavelength.value_or(0.0)}) {
     if (!(value >= 0.0) || !std::isfinite(value)) {
       throw InputError("a hull's coefficient of " + std::to_string(value) + " must be >= 0");
     }
@@ -95,16 +95,21 @@ void HullModel::setPanels() {
                                                  bounds_.lower.y + part.y * size.y, 0.0};
   }
   for (const auto& t : mesh_.triangles) {
-    Panel panel{t, areaVector(mesh_, t), {}, 0.0, 0};
+    Panel panel;
+    panel.corners = t;
+    panel.area = areaVector(mesh_, t);
     panel.size = glm::length(panel.area);
     if (panel.size > 0.0) panel.normal = panel.area / panel.size;
-    const glm::dvec3 middle =
-        (mesh_.vertices[t.x] + mesh_.vertices[t.y] + mesh_.vertices[t.z]) / 3.0;
+    panel.middle = (mesh_.vertices[t.x] + mesh_.vertices[t.y] + mesh_.vertices[t.z]) / 3.0;
+    for (int i = 0; i < 3; ++i) {
+      panel.moments[static_cast<std::size_t>(i)] =
+          glm::cross((3.0 * panel.middle + mesh_.vertices[t[i]]) / 12.0, panel.area);
+    }
     const auto cell = [&](double part, int cells) {
       return std::clamp(static_cast<int>(part * cells), 0, cells - 1);
     };
-    panel.probe = cell((middle.x - bounds_.lower.x) / size.x, probesAlong) * probesAcross +
-                  cell((middle.y - bounds_.lower.y) / size.y, probesAcross);
+    panel.probe = cell((panel.middle.x - bounds_.lower.x) / size.x, probesAlong) * probesAcross +
+                  cell((panel.middle.y - bounds_.lower.y) / size.y, probesAcross);
     panels_.push_back(panel);
   }
 }

@@ -41,10 +41,10 @@ struct HullCoefficients {
 /// A hull and what it weighs, in the body frame (x forward, y to port, z up, m).
 struct HullSettings {
   LoadLevel level = LoadLevel::meshDynamic;
-  double mass = 0.0;                  ///< kg, > 0
-  glm::dvec3 centreOfGravity{0.0};    ///< m
-  glm::dvec3 gyradii{0.0};            ///< about x, y, z, m; 0: 0.35 beam, 0.25 and 0.25 length
-  glm::ivec2 columns{20, 20};         ///< of level `columns`, along and across, ≥ 2 each
+  double mass = 0.0;                ///< kg, > 0
+  glm::dvec3 centreOfGravity{0.0};  ///< m
+  glm::dvec3 gyradii{0.0};          ///< about x, y, z, m; 0: 0.35 beam, 0.25 and 0.25 length
+  glm::ivec2 columns{20, 20};       ///< of level `columns`, along and across, ≥ 2 each
   /// Displacement that the hull is known to have at rest under `mass`-independent draft: its ratio
   /// to the mesh's volume below z = 0 multiplies all buoyancy. Empty: the mesh is believed.
   std::optional<double> knownVolume;
@@ -55,8 +55,8 @@ struct HullSettings {
 
 /// One vertical column of a hull: wet between its ends.
 struct MeshColumn {
-  glm::dvec2 place{0.0};  ///< body frame, m
-  double area = 0.0;      ///< m²
+  glm::dvec2 place{0.0};         ///< body frame, m
+  double area = 0.0;             ///< m²
   double low = 0.0, high = 0.0;  ///< m
 };
 
@@ -74,7 +74,11 @@ class HullModel {
     glm::dvec3 area{0.0};    ///< vector, m²
     glm::dvec3 normal{0.0};  ///< unit, 0 without area
     double size = 0.0;       ///< |area|
-    int probe = 0;           ///< where the water's velocity is taken for it
+    glm::dvec3 middle{0.0};  ///< m
+    /// Moment about the origin of a pressure of 1 at one corner, falling to 0 at the others, m³:
+    /// (a + b + c + corner)/12 × area.
+    std::array<glm::dvec3, 3> moments{};
+    int probe = 0;  ///< where the water's velocity is taken for it
   };
   static constexpr int probesAlong = 8, probesAcross = 2, probes = probesAlong * probesAcross;
 
@@ -93,7 +97,9 @@ class HullModel {
   double shortestWavelength() const { return shortestWavelength_; }
   /// Upright at its draft in still sea water.
   const SubmergedPart& atRest() const { return atRest_; }
-  double restHeight() const { return restHeight_; }  ///< of the body's origin over the water then, m
+  double restHeight() const {
+    return restHeight_;
+  }  ///< of the body's origin over the water then, m
 
   /// Undamped natural frequencies at rest without added mass, rad/s: ω² = ρgA/m and mgGM/I; 0 where
   /// unstable.

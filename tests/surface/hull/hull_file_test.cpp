@@ -27,7 +27,7 @@ class HullFile : public testing::Test {
   ~HullFile() override { fs::remove_all(folder_); }
 
   fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
+    std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
   }
 
@@ -39,7 +39,7 @@ TEST_F(HullFile, MeshesComeBackFromEveryFormat) {
   const TriangleMesh mesh = wigleyMesh(10.0, 1.0, 0.6, 0.4);
   const MassProperties wanted = massProperties(mesh);
   for (const char* name : {"hull.stl", "hull.obj", "hull.glb"}) {
-    writeHullFile(folder_ / name, mesh);
+    write(name, hullFileBytes(name, mesh));
     const TriangleMesh read = readHullFile(folder_ / name);
     EXPECT_EQ(read.triangles.size(), mesh.triangles.size()) << name;
     EXPECT_EQ(read.vertices.size(), mesh.vertices.size()) << name;
@@ -73,7 +73,7 @@ TEST_F(HullFile, BadSettingsAndFilesAreRefusedWithTheirReason) {
   EXPECT_THROW(readHullFile(folder_), InputError);
   EXPECT_THROW(readHullFile(write("text.stl", "no mesh")), InputError);
   EXPECT_THROW(readHullFile(write("points.obj", "v 0 0 0\nv 1 0 0\n")), InputError);
-  EXPECT_THROW(writeHullFile(folder_ / "hull.xyz", boxMesh(1, 1, 1, 0)), InputError);
+  EXPECT_THROW(hullFileBytes("hull.xyz", boxMesh(1, 1, 1, 0)), InputError);
 }
 
 TEST(MeshCheck, HolesFlippedTrianglesAndMillimetresAreFound) {

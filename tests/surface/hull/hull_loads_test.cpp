@@ -240,7 +240,8 @@ TEST(HullLoads, DragOpposesMotionThroughTheWaterAndCarriesWithTheCurrent) {
     pose.velocity = {normal(random), normal(random), normal(random)};
     pose.angularVelocity = {normal(random), normal(random), normal(random)};
     const HullLoads load = loads(hull, pose, stillWater(), 0.0, scratch);
-    const Load lost{load.drag.force + load.radiation.force, load.drag.moment + load.radiation.moment};
+    const Load lost{load.drag.force + load.radiation.force,
+                    load.drag.moment + load.radiation.moment};
     EXPECT_LT(glm::dot(lost.force, pose.velocity) + glm::dot(lost.moment, pose.angularVelocity),
               0.0);
   }
@@ -296,12 +297,14 @@ TEST(HullLoads, SlammingIsOffUnlessAskedForAndResistsEntry) {
   pose.velocity.z = -3.0;
   LoadScratch scratch;
   const TriangleMesh mesh = sphereMesh(0.5);
-  const double without = loads(HullModel(mesh, settings), pose, stillWater(), 0.0, scratch).drag.force.z;
+  const double without =
+      loads(HullModel(mesh, settings), pose, stillWater(), 0.0, scratch).drag.force.z;
   settings.coefficients.slamming = 5.0;
   const HullModel slams(mesh, settings);
   EXPECT_GT(loads(slams, pose, stillWater(), 0.0, scratch).drag.force.z, 1.2 * without);
   pose.velocity.z = 3.0;
-  EXPECT_NEAR(loads(slams, pose, stillWater(), 0.0, scratch).drag.force.z, -without, 1e-9 * without);
+  EXPECT_NEAR(loads(slams, pose, stillWater(), 0.0, scratch).drag.force.z, -without,
+              1e-9 * without);
 }
 
 WaterSurface groups(std::size_t count) {
@@ -420,7 +423,8 @@ TEST(HullLoadsHard, PerlinSeasAndShallowTroughsAreTold) {
 
 TEST(HullLoadsHard, ThinPlatesCubesOfAMillimetreAndTankersKeepArchimedes) {
   LoadScratch scratch;
-  for (const glm::dvec3 size : {glm::dvec3(2.0, 1.0, 1e-3), glm::dvec3(1e-3), glm::dvec3(400.0, 60.0, 30.0)}) {
+  for (const glm::dvec3 size :
+       {glm::dvec3(2.0, 1.0, 1e-3), glm::dvec3(1e-3), glm::dvec3(400.0, 60.0, 30.0)}) {
     const TriangleMesh mesh = boxMesh(size.x, size.y, size.z, 0.5 * size.z);
     for (const double part : {0.01, 0.5, 0.99}) {
       const double mass = part * seaWaterDensity * size.x * size.y * size.z;
