@@ -1,6 +1,8 @@
 #include "sim_bridge/mujoco/hull_coupling.h"
 
+#include <glm/geometric.hpp>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <shared_mutex>
 #include <stdexcept>

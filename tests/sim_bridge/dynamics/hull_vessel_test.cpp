@@ -272,7 +272,7 @@ TEST(HullVesselHard, TwentyHullsWeatherAStormForAnHour) {
     octaves.push_back(makeGroupOctave(1.0, 0.07 + 0.012 * i, 0.01, 0.2 * i, 0.6));
   }
   const WaterSurface storm(WaveField(octaves, {.seed = 3}));  // H_m0 11 m
-  const auto hull = box(HullCoefficients{}, 20.0, 1.0 / 3.0, LoadLevel::columns);
+  const auto hull = box(HullCoefficients{}, 100.0, 1.0 / 3.0, LoadLevel::columns);
   std::vector<HullVessel> fleet(20, HullVessel(hull));
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     fleet[i].place({100.0 * static_cast<double>(i), 0.0}, 0.3 * static_cast<double>(i), 0.0);
