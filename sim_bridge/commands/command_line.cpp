@@ -16,6 +16,7 @@
 #include "sim_bridge/commands/query.h"
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
+#include "sim_bridge/commands/sail.h"
 #include "sim_bridge/commands/schema_command.h"
 #include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
@@ -29,7 +30,7 @@ namespace {
 constexpr AddCommand commands[] = {
     addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
     addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
-    addHullCommand,    addSchemaCommand,
+    addHullCommand,    addSailCommand,  addSchemaCommand,
 };
 
 constexpr int failed = 1;

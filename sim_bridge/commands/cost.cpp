@@ -78,6 +78,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(2);
     studies.push_back(studyFitOctaves(studyOptions));
+    for (Study& study : studyHullLoads(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(3);
     if (!scene.cameras.empty()) {
       for (Study& study : studyImageGrid(scene, sea, studyOptions)) {

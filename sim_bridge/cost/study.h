@@ -51,6 +51,10 @@ std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options)
 /// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
 Study studyFitOctaves(const StudyOptions& options);
 
+/// Two studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of its
+/// weight against us an evaluation, by level and mesh, and by cut-off of short waves.
+std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
+
 /// Two studies of the scene's first camera, by grid size, ms a frame: axial depth of water pixels
 /// (median m) against a ray-march, and height of the field where pixels lie (rms m).
 std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);

@@ -148,6 +148,7 @@ Response heaveResponse(double ratio, const char* joint = heaving) {
   Afloat body(box(1500), boxMass(), ideal(), joint,
               WaveField({makeRegularWave(a, omega / (2.0 * pi), 0.0)}), period / 80.0);
   body.mujoco->data->qpos[joint == heaving ? 0 : 2] = theory;
+  mj_forward(body.mujoco->model.get(), body.mujoco->data.get());
   double inPhase = 0.0, outOfPhase = 0.0;
   for (int i = 0; i < 240; ++i) {
     inPhase += body.height() * std::cos(omega * body.time()) / 120.0;
