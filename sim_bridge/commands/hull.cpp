@@ -117,7 +117,10 @@ HullFigures figuresOf(const HullOptions& o, const TriangleMesh& mesh, const Mesh
 
 int runHull(const HullOptions& options, std::ostream& out) {
   requireSane(options);
-  if (!options.repair.empty()) hullFileBytes(options.repair, {});
+  if (!options.repair.empty()) {
+    requireHullFormat(options.repair);
+    requireWritableFile(options.repair);
+  }
   TriangleMesh mesh = hullByName(options.mesh, options.file, options.triangles);
   if (!options.repair.empty()) mesh = repairedFile(mesh, options);
   const MeshReport check = checkMesh(mesh);

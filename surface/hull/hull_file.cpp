@@ -130,6 +130,8 @@ TriangleMesh readHullFile(const std::filesystem::path& file, const HullFileSetti
   return welded(mesh, 1e-6 * longest);
 }
 
+void requireHullFormat(const std::filesystem::path& file) { formatOf(file); }
+
 std::string hullFileBytes(const std::filesystem::path& file, const TriangleMesh& mesh) {
   const char* format = formatOf(file);
   Assimp::Exporter exporter;

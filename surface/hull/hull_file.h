@@ -20,6 +20,9 @@ struct HullFileSettings {
 /// holds no triangle or a coordinate that is not finite, and for settings out of range.
 TriangleMesh readHullFile(const std::filesystem::path& file, const HullFileSettings& settings = {});
 
+/// Throws InputError unless `file` ends in .stl, .obj or .glb.
+void requireHullFormat(const std::filesystem::path& file);
+
 /// What an STL (binary), OBJ or GLB file of a mesh holds, in metres and the body frame; the format
 /// is that of the ending of `file`, which is not touched. Throws InputError for another ending.
 std::string hullFileBytes(const std::filesystem::path& file, const TriangleMesh& mesh);
