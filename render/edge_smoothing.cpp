@@ -71,8 +71,8 @@ void markOutlines(const DepthImage& depth, std::span<const PixelClass> classes, 
                   std::vector<std::uint8_t>& outline) {
   const int across = depth.size.x;
   const float* d = depth.metres.data() + static_cast<std::size_t>(y) * across;
-  const auto* c = reinterpret_cast<const std::uint8_t*>(classes.data()) +
-                  static_cast<std::size_t>(y) * across;
+  const auto* c =
+      reinterpret_cast<const std::uint8_t*>(classes.data()) + static_cast<std::size_t>(y) * across;
   constexpr auto object = static_cast<std::uint8_t>(PixelClass::object);
   for (int x = 1; x + 1 < across; ++x) {
     const std::uint8_t here = c[x];
@@ -90,8 +90,8 @@ void markOutlines(const DepthImage& depth, std::span<const PixelClass> classes, 
 
 }  // namespace
 
-void smoothEdges(ColourImage& colour, const DepthImage& depth,
-                 std::span<const PixelClass> classes) {
+void smoothEdges(ColourImage& colour, const DepthImage& depth, std::span<const PixelClass> classes,
+                 std::span<const std::uint8_t> isSmooth) {
   const glm::ivec2 size = colour.size;
   if (size.x < 3 || size.y < 3) return;
   const Source source(colour);
@@ -101,11 +101,12 @@ void smoothEdges(ColourImage& colour, const DepthImage& depth,
     markOutlines(depth, classes, y, outline);
     for (int x = 1; x + 1 < size.x; ++x) {
       if (!outline[x]) continue;
+      if (!isSmooth.empty() && isSmooth[static_cast<std::size_t>(y) * size.x + x] != 0) continue;
       const glm::vec3 result = smoothed(source, x, y) + 0.5f;
-      changes[y].push_back({3 * (static_cast<std::size_t>(y) * size.x + x),
-                            {static_cast<std::uint8_t>(result.x),
-                             static_cast<std::uint8_t>(result.y),
-                             static_cast<std::uint8_t>(result.z)}});
+      changes[y].push_back(
+          {3 * (static_cast<std::size_t>(y) * size.x + x),
+           {static_cast<std::uint8_t>(result.x), static_cast<std::uint8_t>(result.y),
+            static_cast<std::uint8_t>(result.z)}});
     }
   });
   for (const auto& row : changes) {

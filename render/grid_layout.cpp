@@ -19,19 +19,17 @@ double GridLayout::rowAt(glm::dvec2 place) const {
 GridLayout projectedLayout(const Projector& projector, const WaveField& waves, glm::ivec2 size) {
   GridLayout layout{size, std::vector<GridLayout::Row>(size.y), projector.gridFromPlane()};
   const BandLimit bandLimit(waves);
-  const std::vector<double> v = projector.rows(size.y);
+  const std::vector<Projector::Line> lines = projector.lines(size.y);
   for (int row = 0; row < size.y; ++row) {
     // All points of a row have the same homogeneous coordinate: they lie evenly between its ends.
-    const glm::dvec2 start = projector.basePoint(0.0, v[row]);
-    const glm::dvec2 step = (projector.basePoint(1.0, v[row]) - start) / (size.x - 1.0);
-    layout.rows[row] = {start, step, {}};
+    const auto& [left, right] = lines[row];
+    layout.rows[row] = {left, (right - left) / (size.x - 1.0), {}};
   }
   for (int row = 0; row < size.y; ++row) {
-    const auto middle = [&](int i) {
-      return layout.rows[i].start + 0.5 * (size.x - 1.0) * layout.rows[i].step;
-    };
     // To the next row, or from the one before the last.
-    const double beyond = glm::distance(middle(row), middle(row + 1 < size.y ? row + 1 : row - 1));
+    const glm::dvec2 other = layout.rows[row + 1 < size.y ? row + 1 : row - 1].start;
+    const double beyond =
+        std::abs(glm::dot(other - layout.rows[row].start, layout.fromPlane.azimuth));
     const double spacing = std::max({glm::length(layout.rows[row].step), beyond, 1e-9});
     layout.rows[row].plan = bandLimit.planFor(spacing);
   }
@@ -52,8 +50,8 @@ GridLayout naiveLayout(const WaveField& waves, double side, glm::ivec2 size) {
   g.sine = 1.0;
   g.heightSine = 1.0;
   g.heightCosine = 0.0;
-  g.leastX = g.leastY = -0.5 * side;
-  g.perX = g.perY = 1.0 / side;
+  g.leastY = -0.5 * side;
+  g.perY = 1.0 / side;
   return layout;
 }
 

@@ -12,10 +12,12 @@ std::optional<Projector> placeSea(const View& view, double projectorElevation,
                                   FrameStats& stats) {
   if (!view.water) return std::nullopt;
   const ProjectorOptions options{.elevation = projectorElevation};
+  const Camera& aim = view.gridCamera ? *view.gridCamera : view.camera;
   double bound = view.water->heightBound();
   std::optional<Projector> projector;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    projector = Projector::aimedAt(view.camera, bound, options);
+    projector = Projector::aimedAt(aim, bound, options);
+    if (projector) projector->measureFrom(glm::dvec2(view.camera.position - aim.position));
     const bool runs = view.effects->decide(
         Effect::water, projector.has_value(),
         projector ? "the waves' volume meets the camera's view" : "no water in the camera's view");

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/row_fit.h"
 #include "render/visible_volume.h"
 #include "surface/constants.h"
 
@@ -43,20 +44,30 @@ std::optional<Projector> Projector::aimedAt(const Camera& camera, double heightB
                                             const ProjectorOptions& options) {
   const std::optional<VisibleVolume> volume = visibleVolume(camera, heightBound);
   if (!volume) return std::nullopt;
-  std::vector<glm::dvec2> basePoints;
-  for (const glm::dvec3& corner : volume->corners) basePoints.emplace_back(corner);
-
   Projector projector;
   const double height = std::max(std::abs(camera.position.z), heightBound + options.elevation);
   projector.position_ = {0.0, 0.0, height};
   projector.azimuth_ = azimuthOf(camera);
   projector.depression_ = depressionOf(camera, height);
   projector.reach_ = volume->reach;
+  projector.rowEnds_ = options.rowEnds;
+  projector.shadow_ = VisibleShadow(camera, volume->bound, projector.azimuth_, volume->reach);
   projector.logarithmicRows_ = options.logarithmicRows * std::cos(projector.depression_);
   projector.rowScale_ = std::max(std::abs(camera.position.z), 0.5);
+  std::vector<glm::dvec2> basePoints;
+  for (const glm::dvec3& corner : volume->corners) {
+    basePoints.push_back(projector.withinReach(glm::dvec2(corner)));
+  }
   projector.standBack(basePoints);
   projector.fitRange(basePoints);
   return projector;
+}
+
+/// The box ahead that holds all within reach: the corners of a wide view's far plane lie beyond.
+glm::dvec2 Projector::withinReach(glm::dvec2 point) const {
+  const glm::dvec2 right(azimuth_.y, -azimuth_.x);
+  return azimuth_ * std::clamp(glm::dot(point, azimuth_), -reach_, reach_) +
+         right * std::clamp(glm::dot(point, right), -reach_, reach_);
 }
 
 /// Moves the projector backwards until all points are well in front of it. Needed where it was
@@ -116,7 +127,7 @@ void Projector::fitRange(const std::vector<glm::dvec2>& basePoints) {
 glm::dvec2 Projector::basePoint(double u, double v) const {
   const glm::dvec3 point =
       glm::mix(glm::mix(corners_[0], corners_[1], u), glm::mix(corners_[2], corners_[3], u), v);
-  return glm::dvec2(point) / point.z;
+  return glm::dvec2(point) / point.z - origin_;
 }
 
 double Projector::along(double v) const {
@@ -173,21 +184,41 @@ std::vector<double> Projector::rows(int count) const {
   return result;
 }
 
+std::vector<Projector::Line> Projector::lines(int count) const {
+  const std::vector<double> v = rows(count);
+  std::vector<Line> result(v.size());
+  if (rowEnds_ == RowEnds::rectangle) {
+    for (std::size_t i = 0; i < v.size(); ++i) result[i] = {basePoint(0.0, v[i]), basePoint(1.0, v[i])};
+    return result;
+  }
+  const double back = glm::length(glm::dvec2(position_));
+  std::vector<double> ahead(v.size()), sight(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double distance = along(v[i]);
+    ahead[i] = distance - back;
+    sight[i] = std::hypot(distance, position_.z);
+  }
+  const std::vector<VisibleShadow::Interval> ends = fittedRows(shadow_, ahead, sight);
+  const glm::dvec2 right(azimuth_.y, -azimuth_.x);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const glm::dvec2 middle = azimuth_ * ahead[i] - origin_;
+    result[i] = {middle + right * ends[i].least, middle + right * ends[i].most};
+  }
+  return result;
+}
+
 Projector::GridFromPlane Projector::gridFromPlane() const {
   const double c = std::cos(depression_), s = std::sin(depression_);
   const double first = logarithm(0.0), last = logarithm(1.0);
-  const glm::dvec2 per = 1.0 / (range_.most - range_.least);
   GridFromPlane g;
-  g.foot = glm::dvec2(position_);
+  g.foot = glm::dvec2(position_) - origin_;
   g.azimuth = glm::dvec2(azimuth_);
   g.cosine = c;
   g.sine = s;
   g.heightSine = (position_.z * s);
   g.heightCosine = (position_.z * c);
-  g.leastX = range_.least.x;
   g.leastY = range_.least.y;
-  g.perX = per.x;
-  g.perY = per.y;
+  g.perY = 1.0 / (range_.most.y - range_.least.y);
   g.back = glm::length(glm::dvec2(position_));
   g.perScale = 1.0 / rowScale_;
   g.first = first;

@@ -59,6 +59,9 @@ struct View {
   std::span<const SceneObject> objects;
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
   bool wantsNormals = false;        ///< fill Frame::normals
+  /// The camera that a projected grid is placed for, where it is not `camera`: to look at a grid
+  /// from elsewhere, and to see what changes as it moves.
+  const Camera* gridCamera = nullptr;
 };
 
 /// One way to draw the sea and what floats on it.
@@ -79,12 +82,16 @@ class RenderTechnique {
   }
 };
 
-/// How the projected grid gets from the field to pixels; the picture is the same but for rounding.
+/// How the projected grid gets from the field to pixels; the picture is the same but for rounding,
+/// for rims of objects (OpenGL's are smoothed along their edges alone, those of `software` are mixed
+/// by the part of the pixel that they cover) and for what cpuVerticesGpuNormals says.
 enum class GridVariant {
   cpuVertices,            ///< heights and vertices by the processor, mesh through GL
   gpu,                    ///< heights by the graphics card, vertices displaced by texture fetch
-  cpuVerticesGpuNormals,  ///< an eighth of the vertices each way by the processor, slopes at all
-                          ///< points of the grid by the graphics card
+  /// An eighth of the vertices each way by the processor, slopes at all points of the grid by the
+  /// graphics card. Depth and outline are the coarse mesh's, as in Johanson's variant of that name:
+  /// only shading has the grid's detail.
+  cpuVerticesGpuNormals,
   marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
   software,               ///< raster and shading by the processor too: no GL at all
 };

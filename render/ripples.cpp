@@ -48,13 +48,21 @@ std::vector<Ripple> drawRipples() {
 std::vector<glm::vec3> rippleTexture(int side) {
   const std::vector<Ripple> ripples = drawRipples();
   std::vector<glm::dvec2> slopes(static_cast<std::size_t>(side) * side, glm::dvec2(0.0));
+  std::vector<double> cosines(side);
   for (const Ripple& ripple : ripples) {
     const glm::dvec2 direction = ripple.cycles / glm::length(ripple.cycles);
+    // Cycles are whole: a texel's phase is one of `side`.
+    for (int i = 0; i < side; ++i) cosines[i] = std::cos(2.0 * pi * i / side + ripple.phase);
+    const auto wrapped = [&](double cycles) {
+      const int steps = static_cast<int>(cycles) % side;
+      return steps < 0 ? steps + side : steps;
+    };
+    const int across = wrapped(ripple.cycles.x), down = wrapped(ripple.cycles.y);
     for (int y = 0; y < side; ++y) {
+      int at = down * y % side;
       for (int x = 0; x < side; ++x) {
-        const double turns = glm::dot(ripple.cycles, glm::dvec2(x, y)) / side;
-        slopes[static_cast<std::size_t>(y) * side + x] +=
-            direction * std::cos(2.0 * pi * turns + ripple.phase);
+        slopes[static_cast<std::size_t>(y) * side + x] += direction * cosines[at];
+        at += at + across < side ? across : across - side;
       }
     }
   }

@@ -62,7 +62,8 @@ VisibleVolume volumeWithin(const Camera& camera, double heightBound, double reac
 std::optional<VisibleVolume> visibleVolume(const Camera& camera, double heightBound) {
   // Still water would make the volume a plane, which rounding could miss.
   const double bound = heightBound + 1e-6 * (1.0 + std::abs(camera.position.z));
-  double reach = 1.02 * crestReach(std::abs(camera.position.z), bound) + 100.0;
+  const double horizon = 1.02 * crestReach(std::abs(camera.position.z), bound) + 100.0;
+  double reach = horizon;
   VisibleVolume volume;
   // Each volume contains all that is visible, so its reach is a valid and smaller start for the
   // next: looking down, the drop at the horizon does not matter.
@@ -72,6 +73,8 @@ std::optional<VisibleVolume> visibleVolume(const Camera& camera, double heightBo
     if (volume.reach > 0.95 * reach) break;
     reach = volume.reach;
   }
+  volume.reach = std::min(volume.reach, horizon);
+  volume.bound = bound;
   return volume;
 }
 

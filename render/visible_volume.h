@@ -13,8 +13,11 @@ namespace seaway::render {
 struct VisibleVolume {
   /// Its corners, m: x and y relative to the camera's foot point, z above the still-water level.
   std::vector<glm::dvec3> corners;
-  /// Largest horizontal distance of a corner from the foot point, m.
+  /// Horizontal distance from the foot point beyond which there is none of it, m. Corners of a wide
+  /// view's far plane may lie farther.
   double reach = 0.0;
+  /// Half its thickness, m: a little more than the height bound, so that still water has some.
+  double bound = 0.0;
 };
 
 /// `heightBound` m ≥ 0: no wave passes ± this. The lower plane lies deeper by what the curved sea

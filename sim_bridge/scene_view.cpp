@@ -30,12 +30,13 @@ void placeOnMount(render::Camera& camera, const SceneCamera& description, Vessel
 
 void placeFixed(render::Camera& camera, const SceneCamera& description, const Geodesy& geodesy) {
   const CameraPlace& place = *description.place;
-  const glm::dvec2 position =
-      geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg).position;
-  camera.position = glm::dvec3(position, place.height);
-  camera.worldFromCamera = render::attitude(
-      geodesy.directionFromTrueHeading(position, description.yaw_deg),
-      radiansFromDegrees(description.pitch_deg), radiansFromDegrees(description.roll_deg));
+  const SeaPlanePoint point = geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg);
+  camera.position = glm::dvec3(point.position, place.height);
+  // At a pole the place's longitude, not its position, says which way north is.
+  camera.worldFromCamera =
+      render::attitude(towardFromCompassToward(description.yaw_deg) + point.convergence,
+                       radiansFromDegrees(description.pitch_deg),
+                       radiansFromDegrees(description.roll_deg));
 }
 
 }  // namespace

@@ -75,8 +75,9 @@ std::optional<double> BandLimitedSea::distance(double height, glm::dvec3 directi
     const double clear = (side * aboveStill(before) - bound_) / sinking;
     const double steepest = 6.0 * carriedSlope(place(before));
     const double safe = side * above / (sinking + level * steepest);
-    const double next =
-        before + std::clamp(std::max(clear, safe), 5e-4 * before + 1e-5, 0.5 * before + farthest / 16);
+    const double step =
+        std::clamp(std::max(clear, safe), 5e-4 * before + 1e-5, 0.5 * before + farthest / 16);
+    const double next = std::min(before + step, farthest);
     const double nextAbove =
         side * aboveStill(next) > bound_ ? aboveStill(next) - side * bound_ : aboveWater(next);
     if (side * nextAbove <= 0.0) {

@@ -43,7 +43,7 @@ class ReferenceTechnique final : public StripTechnique {
 bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
   const auto place = [&](const Projector& projector) {
     layout_ = projectedLayout(projector, view.water->waves(), options_.grid);
-    reach_ = 1.1 * projector.reach() + 10.0;
+    reach_ = projector.reach();
     return SeaPlacement{0.0, 1, 0};
   };
   const bool placed = render::placeSea(view, options_.projectorElevation, place, stats).has_value();

@@ -42,7 +42,14 @@ void SkyDome::drawFor(glm::vec3 sunDirection) {
   });
   texels_.clear();
   for (int size = side; size >= 1; size /= 2) {
-    for (const glm::vec3& colour : image) texels_.push_back(glm::packF3x9_E1x5(colour));
+    const std::size_t start = texels_.size();
+    texels_.resize(start + image.size());
+    tbb::parallel_for(0, size, [&](int row) {
+      const std::size_t first = static_cast<std::size_t>(row) * size;
+      for (std::size_t i = first; i < first + size; ++i) {
+        texels_[start + i] = glm::packF3x9_E1x5(image[i]);
+      }
+    });
     if (size == 1) mean_ = image.front();
     if (size > 1) image = halved(image, size);
   }

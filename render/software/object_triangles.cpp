@@ -1,5 +1,7 @@
 #include "render/software/object_triangles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -36,6 +38,22 @@ void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& c
 
 void ObjectTriangles::raster(Strip& strip) const {
   for (const ScreenTriangle& triangle : triangles_) rasterTriangle(triangle, strip);
+}
+
+PixelBox ObjectTriangles::boxIn(const Strip& strip) const {
+  // Half a pixel beyond their centres.
+  const double top = strip.top - 1.0, bottom = strip.top + strip.rows;
+  double left = strip.width, right = -1.0;
+  for (const ScreenTriangle& t : triangles_) {
+    const auto [high, low] = std::minmax({t.y[0], t.y[1], t.y[2]});
+    if (low < top || high > bottom) continue;
+    const auto [first, last] = std::minmax({t.x[0], t.x[1], t.x[2]});
+    left = std::min(left, first);
+    right = std::max(right, last);
+  }
+  const int from = static_cast<int>(std::clamp(std::floor(left), 0.0, double(strip.width)));
+  const int to = static_cast<int>(std::clamp(std::ceil(right) + 1.0, 0.0, double(strip.width)));
+  return {{from, strip.top}, {std::max(from, to), strip.top + strip.rows}};
 }
 
 void ObjectTriangles::fillSpan(const std::uint32_t* which, const float* inverse,

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/pixel_box.h"
 #include "render/render_technique.h"
 #include "render/shading/pixel_shader.h"
 #include "render/software/raster.h"
@@ -15,6 +16,10 @@ class ObjectTriangles {
  public:
   void fill(std::span<const SceneObject> objects, const Camera& camera);
   void raster(Strip& strip) const;
+  std::span<const ScreenTriangle> triangles() const { return triangles_; }
+
+  /// Pixels of the strip that the triangles may touch.
+  PixelBox boxIn(const Strip& strip) const;
 
   /// Makes those pixels of the span that show an object ones to be shaded so. `which` as
   /// Strip::object, `inverse` as Strip::inverse.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "surface/constants.h"
 
@@ -19,6 +20,8 @@ struct SpanInput {
   const float* inverse;
   const std::uint32_t* packed;
   const float* missing;
+  const float* rowStart;
+  const float* rowStep;
   glm::ivec2 size;
   Projector::GridFromPlane grid;
   float cameraHeight, pixelAngle;
@@ -34,9 +37,12 @@ namespace {
 
 constexpr float perStep = SeaSlopes::steepest / 32767.0f;
 
-/// Column and row of a place in the grid, and how many of them a metre across and ahead crosses.
+/// The quadrilateral of a place in the grid, where it lies in it, and how many columns and rows a
+/// metre across and ahead crosses.
 struct GridPlace {
-  Real column, row, columnsPerMetre, rowsPerMetre;
+  VI near;  // row before it
+  VI left;  // column before it
+  Real u, v, columnsPerMetre, rowsPerMetre;
 };
 
 HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
@@ -55,13 +61,21 @@ HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   const Real logarithm = choose(s < 0.0f, -half, half);
   const Real share =
       v * (1.0f - g.logarithmic) + (logarithm - g.first) * (g.perLog * g.logarithmic);
-  const float columns = in.size.x - 1.0f, rows = in.size.y - 1.0f;
+  const float rows = in.size.y - 1.0f, columns = in.size.x - 1.0f;
   // dv/d along = (height/axial)²-like: sine·axial − cosine·(along·sine − heightCosine), a constant.
   const double turn = g.heightSine * g.sine + g.heightCosine * g.cosine;
   const Real slope = perAxial * perAxial * (turn * g.perY * (1.0f - g.logarithmic)) +
                      Real(static_cast<float>(g.perScale * g.perLog * g.logarithmic)) / root;
-  return {(across * perAxial - g.leastX) * (g.perX * columns), share * rows,
-          perAxial * (g.perX * columns), slope * rows};
+  const Real row = clamp(share * rows, 0.0f, rows);
+  const Real near = min(floor(row), rows - 1.0f);
+  const Real between = row - near;
+  const VI nearIndex = toInt(near), farIndex = hn::Add(nearIndex, setInt(1));
+  const Real start = mix(gather(in.rowStart, nearIndex), gather(in.rowStart, farIndex), between);
+  const Real step = mix(gather(in.rowStep, nearIndex), gather(in.rowStep, farIndex), between);
+  const Real perColumn = Real(1.0f) / step;
+  const Real column = clamp((across - start) * perColumn, 0.0f, columns);
+  const Real left = min(floor(column), columns - 1.0f);
+  return {nearIndex, toInt(left), column - left, between, perColumn, slope * rows};
 }
 
 HWY_INLINE Real2 slopeOf(VU word) {
@@ -78,13 +92,8 @@ struct Slope {
 
 HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footprint,
                          Real footprintAhead) {
-  const Real column = clamp(place.column, 0.0f, in.size.x - 1.0f);
-  const Real row = clamp(place.row, 0.0f, in.size.y - 1.0f);
-  const Real left = min(floor(column), in.size.x - 2.0f);
-  const Real near = min(floor(row), in.size.y - 2.0f);
-  const Real u = column - left, v = row - near;
-  const VI nearIndex = toInt(near);
-  const VI at = hn::Add(hn::Mul(nearIndex, setInt(in.size.x)), toInt(left));
+  const Real u = place.u, v = place.v;
+  const VI at = hn::Add(hn::Mul(place.near, setInt(in.size.x)), place.left);
   const VI beyond = hn::Add(at, setInt(in.size.x)), one = setInt(1);
   const Real2 a = slopeOf(gather(in.packed, at)), b = slopeOf(gather(in.packed, hn::Add(at, one)));
   const Real2 c = slopeOf(gather(in.packed, beyond));
@@ -95,8 +104,8 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
   const Real2 ahead = (high - low) * min(footprintAhead * place.rowsPerMetre, 3.0f);
   const Real2 across =
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
-  const Real missingNear = gather(in.missing, nearIndex);
-  const Real missingFar = gather(in.missing, hn::Add(nearIndex, one));
+  const Real missingNear = gather(in.missing, place.near);
+  const Real missingFar = gather(in.missing, hn::Add(place.near, one));
   return {low + (high - low) * v,
           min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
           mix(missingNear, missingFar, v)};
@@ -154,6 +163,14 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   gridFromPlane_ = layout.fromPlane;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
+  rowStart_.resize(size_.y);
+  rowStep_.resize(size_.y);
+  const glm::dvec2 right(gridFromPlane_.azimuth.y, -gridFromPlane_.azimuth.x);
+  for (int row = 0; row < size_.y; ++row) {
+    const GridLayout::Row& line = layout.rows[row];
+    rowStart_[row] = static_cast<float>(glm::dot(line.start - gridFromPlane_.foot, right));
+    rowStep_[row] = static_cast<float>(glm::dot(line.step, right));
+  }
   packed_.resize(grid.vertexCount());
   tbb::parallel_for(0, size_.y, [&](int row) {
     const std::size_t first = static_cast<std::size_t>(row) * size_.x;
@@ -174,6 +191,8 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
+                        rowStart_.data(),
+                        rowStep_.data(),
                         size_,
                         gridFromPlane_,
                         static_cast<float>(camera.position.z),

@@ -11,7 +11,10 @@ namespace seaway::render {
 class SeaSlopes {
  public:
   void fill(const SeaGrid& grid, const GridLayout& layout);
-  std::size_t memoryBytes() const { return packed_.capacity() * sizeof(std::uint32_t); }
+  std::size_t memoryBytes() const {
+    return packed_.capacity() * sizeof(std::uint32_t) +
+           (rowStart_.capacity() + rowStep_.capacity()) * sizeof(float);
+  }
 
   /// Fills kinds, distances and slopes of a span from 1/axial distances, for rays set before.
   /// The surface is `underside` where `cameraIsUnderWater`, else `water`.
@@ -25,6 +28,7 @@ class SeaSlopes {
   Projector::GridFromPlane gridFromPlane_;
   glm::ivec2 size_{0};
   std::vector<std::uint32_t> packed_;  // slope x in the low 16 bits, y in the high ones
+  std::vector<float> rowStart_, rowStep_;  // m across from the grid's foot; to the next column
   const float* missing_ = nullptr;
 };
 

@@ -21,10 +21,10 @@ void store(const PixelSpan& span, std::size_t at, Frame& frame) {
   for (int i = 0; i < span.count; ++i) {
     const bool isSky = span.kind[i] == ShadedAs::sky;
     frame.depth.metres[at + i] = isSky ? infinity : span.axial[i];
-    frame.classes[at + i] = isSky                                ? PixelClass::sky
+    frame.classes[at + i] = isSky                              ? PixelClass::sky
                             : span.kind[i] == ShadedAs::object ? PixelClass::object
                             : span.kind[i] == ShadedAs::ground ? PixelClass::ground
-                                                                 : PixelClass::water;
+                                                               : PixelClass::water;
   }
   if (frame.normals.empty()) return;
   for (int i = 0; i < span.count; ++i) {
@@ -44,49 +44,103 @@ void StripTechnique::raster(const View& view, const Shown& shown) {
   const glm::ivec2 size = view.camera.size;
   const int count = (size.y + rowsPerStrip - 1) / rowsPerStrip;
   strips_.resize(count);
+  edges_.resize(shown.objects ? count : 0);
   tbb::parallel_for(0, count, [&](int i) {
     const int top = i * rowsPerStrip;
     strips_[i].clear(top, std::min(rowsPerStrip, size.y - top), size.x, shown.objects);
     if (shown.water) rasterSea(view, strips_[i]);
     if (!hollows_.empty()) cutHollows(hollows_, view.camera, strips_[i]);
-    if (shown.objects) objects_.raster(strips_[i]);
+    if (!shown.objects) return;
+    edges_[i].fill(objects_, strips_[i]);
+    objects_.raster(strips_[i]);
   });
 }
 
-void StripTechnique::shadeRow(const View& view, const ShadingConstants& constants,
-                              const Shown& shown, int row, Frame& frame) const {
-  const Strip& strip = strips_[row / rowsPerStrip];
-  const glm::ivec2 size = view.camera.size;
-  const std::size_t stripRow = static_cast<std::size_t>(row - strip.top) * strip.stride;
-  const glm::vec2 perPixel = 2.0f / glm::vec2(size);
-  const float upwards = 1.0f - (static_cast<float>(row) + 0.5f) * perPixel.y;
+/// Makes ready to shade `span.count` pixels of a row from `first` on: the sea by its 1/axial
+/// distance in `sea`, before it objects `which` by theirs in `objects`.
+void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
+                              const std::uint32_t* which, const float* objects,
+                              PixelSpan& span) const {
+  const glm::vec2 perPixel = 2.0f / glm::vec2(r.view.camera.size);
+  const float upwards = 1.0f - (static_cast<float>(r.row) + 0.5f) * perPixel.y;
+  const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
+  span.rayStep = r.constants.right * perPixel.x;
+  span.firstRay = r.constants.forward + across * r.constants.right + upwards * r.constants.up;
+  if (r.shown.water) {
+    fillSeaSpan(r.view, sea, r.row, first, r.shown.cameraIsUnderWater, span);
+  } else {
+    std::fill_n(span.kind, pixelsPerSpan, ShadedAs::sky);
+    std::fill_n(span.axial, pixelsPerSpan, 1.0f);
+  }
+  if (r.shown.objects) objects_.fillSpan(which, objects, span);
+  if (shore_) shore_->fillSpan(span);
+}
+
+void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const {
+  shadeSpan(r.constants, r.constants.skyIsOn ? sky_->texels().data() : nullptr, span, rgb);
+}
+
+void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
+  const Strip& strip = strips_[r.row / rowsPerStrip];
+  const int width = r.view.camera.size.x;
+  const std::size_t stripRow = static_cast<std::size_t>(r.row - strip.top) * strip.stride;
   PixelSpan span;
-  span.rayStep = constants.right * perPixel.x;
-  for (int first = 0; first < size.x; first += pixelsPerSpan) {
-    span.count = std::min(pixelsPerSpan, size.x - first);
-    const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
-    span.firstRay = constants.forward + across * constants.right + upwards * constants.up;
+  for (int first = 0; first < width; first += pixelsPerSpan) {
+    span.count = std::min(pixelsPerSpan, width - first);
     const float* inverse = strip.inverse.data() + stripRow + first;
-    if (shown.water) {
-      fillSeaSpan(view, inverse, row, first, shown.cameraIsUnderWater, span);
-    } else {
-      std::fill_n(span.kind, pixelsPerSpan, ShadedAs::sky);
-      std::fill_n(span.axial, pixelsPerSpan, 1.0f);
-    }
-    if (shown.objects) objects_.fillSpan(strip.object.data() + stripRow + first, inverse, span);
-    if (shore_) shore_->fillSpan(span);
-    const std::size_t at = static_cast<std::size_t>(row) * size.x + first;
-    shadeSpan(constants, constants.skyIsOn ? sky_->texels().data() : nullptr, span,
-              frame.colour.rgb.data() + 3 * at);
+    fillSpan(r, first, inverse, strip.object.data() + stripRow + first, inverse, span);
+    const std::size_t at = static_cast<std::size_t>(r.row) * width + first;
+    colour(r, span, frame.colour.rgb.data() + 3 * at);
     store(span, at, frame);
+  }
+  if (r.shown.objects) softenObjects(r, frame);
+}
+
+/// Where objects cover a part of a pixel, mixes what its centre does not show into its colour.
+void StripTechnique::softenObjects(const ShadedRow& r, Frame& frame) {
+  const Strip& strip = strips_[r.row / rowsPerStrip];
+  const ObjectEdges& edges = edges_[r.row / rowsPerStrip];
+  if (edges.left() == edges.right()) return;
+  const int line = r.row - strip.top;
+  const ObjectEdges::Row row = edges.row(line);
+  const std::uint32_t* centre = strip.object.data() + static_cast<std::size_t>(line) * strip.stride;
+  const auto otherSamples = [&](int x) {
+    const int covered = row.covered(x - edges.left());
+    return centre[x] != 0 ? ObjectEdges::samples - covered : covered;
+  };
+  PixelSpan span;
+  std::uint32_t which[pixelsPerSpan];
+  std::uint8_t other[3 * pixelsPerSpan];
+  for (int first = edges.left(); first < edges.right(); first += span.count) {
+    while (first < edges.right() && otherSamples(first) == 0) ++first;
+    span.count = 0;
+    for (int x = first; x < edges.right() && span.count < pixelsPerSpan; ++x, ++span.count) {
+      if (otherSamples(x) == 0) break;
+      which[span.count] = centre[x] != 0 ? 0 : row.object[x - edges.left()];
+    }
+    if (span.count == 0) return;
+    const int at = first - edges.left();
+    fillSpan(r, first, row.sea + at, which, row.inverse + at, span);
+    colour(r, span, other);
+    const std::size_t pixel = static_cast<std::size_t>(r.row) * strip.width + first;
+    std::fill_n(&isSoftened_[pixel], span.count, std::uint8_t{1});
+    std::uint8_t* rgb = &frame.colour.rgb[3 * pixel];
+    for (int i = 0; i < 3 * span.count; ++i) {
+      const int weight = otherSamples(first + i / 3);
+      rgb[i] = static_cast<std::uint8_t>((rgb[i] * (ObjectEdges::samples - weight) +
+                                          other[i] * weight + ObjectEdges::samples / 2) /
+                                         ObjectEdges::samples);
+    }
   }
 }
 
 void StripTechnique::shade(const View& view, const Shown& shown, const Lighting& lighting,
-                           Frame& frame) const {
+                           Frame& frame) {
+  isSoftened_.assign(shown.objects ? frame.classes.size() : 0, 0);
   const ShadingConstants constants = shadingConstants(view, lighting);
-  tbb::parallel_for(0, view.camera.size.y,
-                    [&](int row) { shadeRow(view, constants, shown, row, frame); });
+  tbb::parallel_for(0, view.camera.size.y, [&](int row) {
+    shadeRow({view, constants, shown, row}, frame);
+  });
 }
 
 void StripTechnique::drawInto(const View& view, Frame& frame) {
@@ -120,16 +174,15 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
   const Lighting lighting = decideLighting(view, shown, sky_);
   if (lighting.sky) timer.finish("sky", Effect::sky);
   shade(view, shown, lighting, frame);
-  const auto payer = shown.water    ? water
-                     : lighting.sky ? std::optional(Effect::sky)
-                                    : std::nullopt;
+  const auto payer = shown.water ? water : lighting.sky ? std::optional(Effect::sky) : std::nullopt;
   timer.finish("shading", payer);
   if (lighting.sunIsOn && payer) view.effects->chargeInside(Effect::sun, *payer);
-  smoothEdges(frame.colour, frame.depth, frame.classes);
+  smoothEdges(frame.colour, frame.depth, frame.classes, isSoftened_);
   timer.finish("smoothing", std::nullopt);
   if (seaMemoryBytes() > 0) view.effects->holdMemory(Effect::water, seaMemoryBytes());
   if (sky_) view.effects->holdMemory(Effect::sky, sky_->memoryBytes());
-  const std::size_t objects = objects_.memoryBytes();
+  std::size_t objects = objects_.memoryBytes() + isSoftened_.capacity();
+  for (const ObjectEdges& edges : edges_) objects += edges.memoryBytes();
   if (objects > 0) view.effects->holdMemory(Effect::vesselMeshes, objects);
 }
 

@@ -7,6 +7,7 @@
 #include "render/lighting_decision.h"
 #include "render/render_technique.h"
 #include "render/shore.h"
+#include "render/software/object_edges.h"
 #include "render/software/object_triangles.h"
 #include "render/software/raster.h"
 
@@ -31,15 +32,27 @@ class StripTechnique : public RenderTechnique {
   virtual std::size_t seaMemoryBytes() const = 0;
 
  private:
+  /// A row of the picture to be shaded.
+  struct ShadedRow {
+    const View& view;
+    const ShadingConstants& constants;
+    const Shown& shown;
+    int row;
+  };
   void raster(const View& view, const Shown& shown);
-  void shade(const View& view, const Shown& shown, const Lighting& lighting, Frame& frame) const;
-  void shadeRow(const View& view, const ShadingConstants& constants, const Shown& shown, int row,
-                Frame& frame) const;
+  void shade(const View& view, const Shown& shown, const Lighting& lighting, Frame& frame);
+  void shadeRow(const ShadedRow& r, Frame& frame);
+  void softenObjects(const ShadedRow& r, Frame& frame);
+  void fillSpan(const ShadedRow& r, int first, const float* sea, const std::uint32_t* which,
+                const float* objects, PixelSpan& span) const;
+  void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const;
 
   ObjectTriangles objects_;
   std::vector<Strip> strips_;
+  std::vector<ObjectEdges> edges_;        // of each strip
+  std::vector<std::uint8_t> isSoftened_;  // of each pixel, where objects are shown
   std::optional<SkyDome> sky_;
-  std::optional<Shore> shore_;           // of this frame
+  std::optional<Shore> shore_;         // of this frame
   std::vector<PlacedHollow> hollows_;  // of this frame
 };
 

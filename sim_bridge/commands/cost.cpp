@@ -8,11 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "render/headless_context.h"
+#include "sim_bridge/commands/cost_report.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
 #include "sim_bridge/output/progress.h"
+#include "sim_bridge/report/plot.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
 
@@ -68,11 +70,12 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const Scene scene = loadScene(options.scene);
   const std::filesystem::path folder = options.out;
   requireWritableFolder(folder);
+  requirePlotter();
   const Sea sea = buildSea(scene);
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
-    Progress progress("cost", 4);
+    Progress progress("cost", 6);
     studies.push_back(studyQueryOctaves(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
@@ -86,13 +89,24 @@ int runCost(const CostOptions& options, std::ostream& out) {
       }
     }
     progress.update(4);
+    studies.push_back(studyVertexEfficiency(sea, studyOptions));
+    progress.update(5);
+    if (!scene.cameras.empty()) {
+      for (Study& study : studySwimming(scene, sea, studyOptions)) {
+        studies.push_back(std::move(study));
+      }
+    }
+    progress.update(6);
   }
   const nlohmann::ordered_json json = asJson(studies, options.scene);
-  AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv");
+  AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv"),
+      report(folder / "report.html");
   jsonFile.stream() << json.dump(2) << '\n';
   writeCsv(studies, csvFile.stream());
+  report.stream() << costReport(studies, options.scene);
   jsonFile.commit();
   csvFile.commit();
+  report.commit();
   if (options.json) {
     out << json.dump(2) << '\n';
   } else {
@@ -106,7 +120,7 @@ void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
       app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for cost.json and cost.csv")
+  command->add_option("--out", options->out, "folder for report.html, cost.json and cost.csv")
       ->required()
       ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");

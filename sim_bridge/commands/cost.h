@@ -15,8 +15,8 @@ struct CostOptions {
   bool json = false;
 };
 
-/// Measures what accuracy costs on this machine: `cost.json` and `cost.csv` in the folder, and a
-/// table (or the JSON) on `out`.
+/// Measures what accuracy costs on this machine: `report.html`, `cost.json` and `cost.csv` in the
+/// folder, and a table (or the JSON) on `out`.
 int runCost(const CostOptions& options, std::ostream& out);
 void addCostCommand(CLI::App& app, ChosenCommand& chosen);
 

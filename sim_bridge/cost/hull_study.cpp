@@ -3,6 +3,7 @@
 #include <random>
 
 #include "sim_bridge/cost/study.h"
+#include "sim_bridge/output/number_text.h"
 #include "sim_bridge/scene/sea.h"
 #include "surface/hull/analytic_hulls.h"
 #include "surface/hull/hull_loads.h"
@@ -78,36 +79,37 @@ std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options) {
   const HullModel truthHull = modelOf(LoadLevel::meshDynamic, 13000, {20, 20}, 0.0);
   const Measured truth = measure(truthHull, water, all, 3);
   const double weight = truthHull.settings().mass * standardGravity;
-  const auto point = [&](const std::string& setting, const HullModel& hull) {
+  const auto add = [&](Study& study, const std::string& setting, const HullModel& hull) {
     const Measured found = measure(hull, water, all, repetitions);
     const double each = 1e6 / static_cast<double>(all.size());
-    return CostPoint{setting, errorOf(found, truth, weight), found.timing.median * each,
-                     found.timing.spread * each};
+    study.points.push_back({setting, errorOf(found, truth, weight), found.timing.median * each,
+                            found.timing.spread * each,
+                            static_cast<double>(study.points.size() + 1)});
   };
-  const std::string hull =
-      "buoyancy of a 12 m Wigley hull about the sea, rms; truth: 13 000 "
-      "triangles with the waves' pressure, all octaves";
-  Study levels{"hull_levels", hull, "% of weight", "us/evaluation", {}};
+  const std::string summary =
+      "buoyancy of a 12 m Wigley hull about the sea, rms; truth: 13 000 triangles with the waves' "
+      "pressure, all octaves; ";
+  const auto study = [&](const char* name, const char* dial) {
+    return Study{name, summary + dial, "% of weight", "us/evaluation", {}};
+  };
+  Study columns = study("hull_columns", "columns along and across");
   for (const int n : {5, 10, 20}) {
-    levels.points.push_back(point("columns " + std::to_string(n) + "x" + std::to_string(n / 5 * 2),
-                                  modelOf(LoadLevel::columns, 800, {n, n / 5 * 2}, 0.0)));
+    add(columns, "columns " + std::to_string(n) + "x" + std::to_string(n / 5 * 2),
+        modelOf(LoadLevel::columns, 800, {n, n / 5 * 2}, 0.0));
   }
-  for (const int triangles : {200, 800, 3200}) {
-    const auto count = static_cast<std::size_t>(triangles);
-    levels.points.push_back(
-        point("mesh " + std::to_string(triangles), modelOf(LoadLevel::mesh, count, {20, 20}, 0.0)));
-    levels.points.push_back(point("dynamic " + std::to_string(triangles),
-                                  modelOf(LoadLevel::meshDynamic, count, {20, 20}, 0.0)));
+  Study mesh = study("hull_mesh", "triangles with hydrostatic pressure");
+  Study dynamic = study("hull_mesh_dynamic", "triangles with the waves' pressure");
+  for (const std::size_t triangles : {200, 800, 3200}) {
+    const std::string name = "triangles " + std::to_string(triangles);
+    add(mesh, name, modelOf(LoadLevel::mesh, triangles, {20, 20}, 0.0));
+    add(dynamic, name, modelOf(LoadLevel::meshDynamic, triangles, {20, 20}, 0.0));
   }
-  Study cutoffs{
-      "hull_cutoffs", hull + ", by the shortest waves kept", "% of weight", "us/evaluation", {}};
+  Study cutoffs = study("hull_cutoffs", "800 triangles, by the shortest waves kept");
   for (const double part : {2.0, 1.0, 0.5, 0.25, 0.0}) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%.2g L", part);
-    cutoffs.points.push_back(
-        point(name, modelOf(LoadLevel::meshDynamic, 800, {20, 20}, part * length)));
+    add(cutoffs, numberText(part) + " L",
+        modelOf(LoadLevel::meshDynamic, 800, {20, 20}, part * length));
   }
-  return {levels, cutoffs};
+  return {columns, mesh, dynamic, cutoffs};
 }
 
 }  // namespace seaway::bridge

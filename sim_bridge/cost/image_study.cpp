@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/compare_frames.h"
 #include "render/technique_choice.h"
 #include "render/unproject.h"
 #include "sim_bridge/cost/study.h"
@@ -9,6 +10,9 @@
 
 namespace seaway::bridge {
 namespace {
+
+/// Rows closer than a tenth of a pixel: what this grid's band limit leaves out no pixel shows.
+constexpr glm::ivec2 finestGrid(4096, 4096);
 
 /// A pixel whose true depth is known.
 struct TruePixel {
@@ -60,6 +64,14 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
   const glm::ivec2 size = options.quick ? glm::ivec2(320, 180) : glm::ivec2(640, 360);
   const std::string where = ", camera '" + findCamera(scene, "").name + "', " +
                             std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels";
+  Study place{
+      "image_position_grid",
+      "place of the surface in the picture, rms away from silhouettes; truth: a ray through "
+      "every pixel" +
+          where,
+      "px",
+      "ms/frame",
+      {}};
   Study depth{"image_depth_grid",
               "axial depth of water pixels, median; truth: ray-march of the field" + where,
               "m",
@@ -76,6 +88,9 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
   render::View view = sceneView.view(simulation, findCamera(scene, ""), size, ledger);
   const std::vector<TruePixel> truth = marchedPixels(view, options.quick ? 8 : 4);
   if (truth.empty()) return {};
+  view.wantsNormals = true;
+  const render::Frame rays = render::makeReference({.grid = finestGrid})->draw(view);
+  view.wantsNormals = false;
   const std::vector<int> grids = options.quick ? std::vector<int>{32, 128, 512}
                                                : std::vector<int>{32, 64, 128, 256, 512, 1024};
   for (const int side : grids) {
@@ -86,10 +101,15 @@ std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const Stud
         timeRepeated([&] { frame = technique->draw(view); }, options.quick ? 3 : 5);
     const ImageErrors errors = errorsOf(view, frame, truth);
     const std::string setting = "grid " + std::to_string(side) + "x" + std::to_string(side);
-    depth.points.push_back({setting, errors.depth, 1e3 * timing.median, 1e3 * timing.spread});
-    height.points.push_back({setting, errors.height, 1e3 * timing.median, 1e3 * timing.spread});
+    const auto add = [&](Study& study, double error) {
+      study.points.push_back(
+          {setting, error, 1e3 * timing.median, 1e3 * timing.spread, static_cast<double>(side)});
+    };
+    add(place, render::compareFrames(view.camera, frame, rays).positionRms);
+    add(depth, errors.depth);
+    add(height, errors.height);
   }
-  return {depth, height};
+  return {place, depth, height};
 }
 
 }  // namespace seaway::bridge

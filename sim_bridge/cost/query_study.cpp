@@ -49,7 +49,8 @@ Study studyQueryOctaves(const Sea& sea, const StudyOptions& options) {
         options.quick ? 5 : 15);
     const double perPoint = 1e9 / static_cast<double>(points.size());
     study.points.push_back({"octaves " + std::to_string(kept), rmsDifference(samples, truth),
-                            timing.median * perPoint, timing.spread * perPoint});
+                            timing.median * perPoint, timing.spread * perPoint,
+                            static_cast<double>(kept)});
   }
   return study;
 }

@@ -16,6 +16,7 @@ struct CostPoint {
   double error = 0.0;   ///< against the study's truth, in Study::unitError
   double cost = 0.0;    ///< median over repetitions, in Study::unitCost
   double spread = 0.0;  ///< half the distance between the cost's quartiles
+  double dial = 0.0;    ///< the setting as a number, such as vertices a side; 0: it has none
 };
 
 /// Error against cost along one dial, all points measured in one process.
@@ -51,12 +52,22 @@ std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options)
 /// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
 Study studyFitOctaves(const StudyOptions& options);
 
-/// Two studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of its
-/// weight against us an evaluation, by level and mesh, and by cut-off of short waves.
+/// Four studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of its
+/// weight against us an evaluation, by columns, by triangles without and with the waves' own
+/// pressure, and by cut-off of short waves.
 std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
 
-/// Two studies of the scene's first camera, by grid size, ms a frame: axial depth of water pixels
-/// (median m) against a ray-march, and height of the field where pixels lie (rms m).
+/// Three studies of the scene's first camera, by grid size, ms a frame: place of the surface in the
+/// picture (rms pixels) against a ray-cast, axial depth of water pixels (median m) against a
+/// ray-march, and height of the field where pixels lie (rms m).
 std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
+/// Share of a projected grid's vertices that lie outside the picture (median over ordinary views)
+/// against ms to place 256x512 of them, by where its rows end.
+Study studyVertexEfficiency(const Sea& sea, const StudyOptions& options);
+
+/// Two studies of the scene's first camera, by grid size, ms a frame: how much the drawn surface of
+/// a frozen sea changes a frame (px rms) as the camera moves ahead, and as it turns.
+std::vector<Study> studySwimming(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 }  // namespace seaway::bridge

@@ -101,12 +101,26 @@ TEST(ShadingParity, ObjectsAreLitAlike) {
   const auto onProcessor = makeSoftwareGrid({.grid = {64, 64}});
   const Frame a = drawnBy(*inGl, still, camera, {&object, 1});
   const Frame b = drawnBy(*onProcessor, still, camera, {&object, 1});
-  std::size_t both = 0, either = 0, alike = 0;
+  const auto isObject = [&](const Frame& frame, std::size_t i) {
+    return frame.classes[i] == PixelClass::object;
+  };
+  // Rims are mixed by coverage on the processor, smoothed along the edge after OpenGL.
+  const auto isInner = [&](std::size_t i) {
+    for (const int row : {-1, 0, 1}) {
+      for (const int column : {-1, 0, 1}) {
+        const std::size_t beside = i + row * camera.size.x + column;
+        if (!isObject(a, beside) || !isObject(b, beside)) return false;
+      }
+    }
+    return true;
+  };
+  std::size_t both = 0, either = 0, inner = 0, alike = 0;
   for (std::size_t i = 0; i < a.classes.size(); ++i) {
-    const bool inA = a.classes[i] == PixelClass::object, inB = b.classes[i] == PixelClass::object;
-    either += inA || inB;
-    if (!inA || !inB) continue;
+    either += isObject(a, i) || isObject(b, i);
+    if (!isObject(a, i) || !isObject(b, i)) continue;
     ++both;
+    if (!isInner(i)) continue;
+    ++inner;
     int largest = 0;
     for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
       largest = std::max(largest, std::abs(int{a.colour.rgb[c]} - int{b.colour.rgb[c]}));
@@ -115,7 +129,8 @@ TEST(ShadingParity, ObjectsAreLitAlike) {
   }
   EXPECT_GT(both, 1000u);
   EXPECT_LE(either - both, both / 50);  // rims, by a different rule for pixels on edges
-  EXPECT_GE(alike, both * 97 / 100);    // the others: smoothed rims
+  EXPECT_GT(inner, 1000u);
+  EXPECT_GE(alike, inner * 97 / 100);  // the others: edges between faces
 }
 
 TEST(SoftwareGrid, ShowsTheSameSeaAsTheMeshThroughOpenGl) {
@@ -140,8 +155,8 @@ TEST(SoftwareGrid, FlatHorizonLiesAtTheDipOfTheSphere) {
     const double dip = std::acos(earthMeanRadius / (earthMeanRadius + height));
     camera.worldFromCamera = attitude(0.4, -dip, 0.0);  // the horizon between the middle rows
     const double pixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
-    // Where the picture turns from water to sky, to a tenth of a pixel: by raising the camera's axis
-    // a tenth of a pixel either way.
+    // Where the picture turns from water to sky, to a tenth of a pixel: by raising the camera's
+    // axis a tenth of a pixel either way.
     for (const double off : {-0.1, 0.1}) {
       camera.worldFromCamera = attitude(0.4, -dip + (0.5 - off) * pixel, 0.0);
       const Frame frame = drawnBy(*technique, still, camera);

@@ -24,7 +24,9 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
                                (folder / "cost").string(), "--quick", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name : {"query_octaves", "fit_octaves", "image_depth_grid", "image_height_grid"}) {
+  for (const char* name :
+       {"query_octaves", "fit_octaves", "hull_mesh_dynamic", "hull_cutoffs", "image_position_grid",
+        "image_depth_grid", "image_height_grid", "image_swimming", "image_swimming_turning"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
@@ -33,8 +35,18 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
         << name;
     for (const auto& point : study["points"]) EXPECT_GT(point["cost"].get<double>(), 0.0);
   }
+  const auto& wasted = studyCalled(report, "image_wasted_vertices")["points"];
+  ASSERT_EQ(wasted.size(), 2u);
+  EXPECT_LT(wasted[1]["error"].get<double>(), 0.2);
+  EXPECT_LT(wasted[1]["error"].get<double>(), wasted[0]["error"].get<double>());
   EXPECT_EQ(nlohmann::json::parse(test::readFile(folder / "cost/cost.json")), report);
   EXPECT_TRUE(test::readFile(folder / "cost/cost.csv").starts_with("study,setting,error,"));
+  const std::string page = test::readFile(folder / "cost/report.html");
+  std::size_t figures = 0;
+  for (auto at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++figures;
+  // Octaves of queries, octaves of fits, four of hulls, pictures by the grid's size and by cost.
+  EXPECT_EQ(figures, 8u);
+  EXPECT_NE(page.find("vertices a side"), page.npos);
 }
 
 TEST(CostCommand, RefusesAFolderItCannotWriteBeforeAnyWork) {

@@ -1,0 +1,87 @@
+#include "sim_bridge/commands/cost_report.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim_bridge/report/html_page.h"
+#include "sim_bridge/report/plot.h"
+
+namespace seaway::bridge {
+namespace {
+
+/// Zero has no place on a logarithmic axis: a gap.
+double onLogarithm(double value) {
+  return value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Errors of a study, as a line with its points, over what `abscissa` takes from them.
+template <typename Abscissa>
+void addCurves(const Study& study, const std::string& label, Abscissa abscissa, Plot& plot) {
+  Curve curve{label, {}, {}};
+  for (const CostPoint& point : study.points) {
+    curve.x.push_back(onLogarithm(abscissa(point)));
+    curve.y.push_back(onLogarithm(point.error));
+  }
+  plot.curves.push_back(curve);
+}
+
+double costOf(const CostPoint& point) { return point.cost; }
+double dialOf(const CostPoint& point) { return point.dial; }
+
+bool isOfPictures(const Study& study) { return study.name.starts_with("image_"); }
+
+void addStudy(const Study& study, HtmlPage& page) {
+  page.heading(study.name);
+  page.paragraph(study.summary);
+  std::vector<std::vector<std::string>> rows;
+  for (const CostPoint& point : study.points) {
+    rows.push_back({point.setting, fmt::format("{:.3g}", point.error),
+                    fmt::format("{:.4g} ± {:.2g}", point.cost, point.spread)});
+  }
+  page.table({"setting", "error, " + study.unitError, "cost, " + study.unitCost}, rows);
+  // Pictures are drawn together; settings without a number are no steps of a dial.
+  if (isOfPictures(study) || study.points.back().dial == 0.0) return;
+  Plot plot;
+  plot.title = study.name;
+  plot.x = {"cost, " + study.unitCost, true};
+  plot.y = {"error, " + study.unitError, true};
+  addCurves(study, study.name, costOf, plot);
+  page.figure(svgOf(plot), "Error against cost.");
+}
+
+void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
+  Plot byGrid, byCost;
+  byGrid.title = "error against the grid's size";
+  byGrid.x = {"vertices a side", true};
+  byCost.title = "error against cost";
+  for (Plot* plot : {&byGrid, &byCost}) plot->y = {"error, px or m", true};
+  for (const Study& study : studies) {
+    if (!isOfPictures(study)) continue;
+    const std::string label = study.name + ", " + study.unitError;
+    byCost.x = {"cost, " + study.unitCost, true};
+    addCurves(study, label, dialOf, byGrid);
+    addCurves(study, label, costOf, byCost);
+  }
+  if (byGrid.curves.empty()) return;
+  page.heading("Pictures: pixel and metre errors");
+  page.figure(svgOf(byGrid), "Errors of the drawn sea by the number of vertices each way.");
+  page.figure(svgOf(byCost), "The same errors by what a frame costs on this machine.");
+}
+
+}  // namespace
+
+std::string costReport(const std::vector<Study>& studies, const std::string& scene) {
+  HtmlPage page("Seaway: what accuracy costs");
+  page.paragraph("Scene " + scene +
+                 ", measured on this machine in one process. Costs are medians; "
+                 "after ± stands half the distance between quartiles.");
+  addPictures(studies, page);
+  for (const Study& study : studies) {
+    if (!study.points.empty()) addStudy(study, page);
+  }
+  return page.text();
+}
+
+}  // namespace seaway::bridge
