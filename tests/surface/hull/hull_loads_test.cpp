@@ -9,6 +9,7 @@
 
 #include "surface/angles.h"
 #include "surface/dispersion.h"
+#include "surface/disturbance/wake_system.h"
 #include "surface/hull/analytic_hulls.h"
 #include "surface/input_error.h"
 #include "tests/support/allocation_counter.h"
@@ -332,6 +333,29 @@ TEST(HullLoads, WavesShorterThanTheHullFeelsAreLeftOutAndTold) {
   const HullLoads all = loads(hull, {}, sea, 1.0, scratch, {.shortestWavelength = 0.0});
   EXPECT_EQ(all.leftOut, 0.0);
   EXPECT_NE(all.buoyancy.force.z, cut.buoyancy.force.z);
+}
+
+// A launch has sailed ten seconds east; a small hull lies in its wake.
+TEST(HullLoads, WakesOfOthersAreFeltAndTheHullsOwnIsNot) {
+  WakeSystem system;
+  const std::uint32_t launch = system.addVessel(HullFootprint::wigley(12.0, 3.5, 0.8));
+  for (int i = 0; i <= 100; ++i) system.record(launch, {0.1 * i, {0.5 * i, 0.0}, 0.0, 1.0});
+  system.advance(10.0, std::vector<WakeListener>{{{40.0, 20.0}, 5.0, 0}});
+  WaterSurface water{WaveField({})};
+  water.setDisturbances(system.feed());
+  const HullModel hull = halfFloating(boxMesh(0.2, 0.1, 0.2, 0.1));
+  HullPose pose;
+  pose.position = {40.0, 6.0, 0.0};
+  const double surface = water.sample({40.0, 6.0}, 10.0).height;
+  ASSERT_GT(std::abs(surface), 0.005);
+  ASSERT_LT(std::abs(surface), 0.1);
+  LoadScratch scratch;
+  const double still = loads(hull, pose, stillWater(), 10.0, scratch).buoyancy.force.z;
+  const double lift = loads(hull, pose, water, 10.0, scratch).buoyancy.force.z - still;
+  // Waves of 2 m lose a quarter of their pressure over its draft.
+  EXPECT_GT(lift / (weightDensity * 0.2 * 0.1 * surface), 0.6);
+  EXPECT_LT(lift / (weightDensity * 0.2 * 0.1 * surface), 1.1);
+  EXPECT_EQ(loads(hull, pose, water, 10.0, scratch, {.ownWake = launch}).buoyancy.force.z, still);
 }
 
 TEST(HullLoads, GiveTheSameBitsAloneTogetherAndFromAnyScratch) {
