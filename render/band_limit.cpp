@@ -24,6 +24,7 @@ BandLimit::BandLimit(const WaveField& waves) {
 
 BandLimit::Plan BandLimit::planFor(double spacing) const {
   Plan plan;
+  plan.spacing = spacing;
   plan.keptWavelength = plan.fadingWavelength = 4.0 * spacing;
   double keptSlope = 0.0, fadingSlope = 0.0, weighted = 0.0;
   for (const Entry& octave : octaves_) {

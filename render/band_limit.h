@@ -19,6 +19,7 @@ class BandLimit {
   explicit BandLimit(const WaveField& waves);
 
   struct Plan {
+    double spacing = 0.0;           ///< m between vertices
     double keptWavelength = 0.0;    ///< octaves no shorter than this, m, are carried in full
     double fadingWavelength = 0.0;  ///< those between this, m, and it are carried times `weight`
     double weight = 0.0;            ///< [0, 1]

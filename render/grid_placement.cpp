@@ -13,7 +13,7 @@ std::optional<Projector> placeSea(const View& view, double projectorElevation,
   if (!view.water) return std::nullopt;
   const ProjectorOptions options{.elevation = projectorElevation};
   const Camera& aim = view.gridCamera ? *view.gridCamera : view.camera;
-  double bound = view.water->heightBound();
+  double bound = view.water->heightBound(view.time);
   std::optional<Projector> projector;
   for (int attempt = 0; attempt < 4; ++attempt) {
     projector = Projector::aimedAt(aim, bound, options);

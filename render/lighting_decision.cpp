@@ -3,9 +3,14 @@
 #include <algorithm>
 
 #include "render/scene_object.h"
+#include "render/shading/shading_tables.h"
+#include "surface/whitecaps.h"
 
 namespace seaway::render {
 namespace {
+
+/// Less white water than this is not looked for: a metre in a hundred by a hundred.
+constexpr double leastWhitecaps = 1e-4;
 
 /// Whether any ray of the picture goes above the horizontal: if one does, one at a corner does.
 bool seesAboveHorizon(const Camera& camera) {
@@ -17,6 +22,36 @@ bool seesAboveHorizon(const Camera& camera) {
   return false;
 }
 
+bool decideFoam(const View& view, const Shown& shown) {
+  const char* reason = "no water in the picture";
+  bool called = false;
+  if (shown.water && shown.cameraIsUnderWater) reason = "the camera is under water";
+  if (shown.water && !shown.cameraIsUnderWater) {
+    const auto& detail = view.water->extras().detail;
+    const bool lies = detail && detail->cover.foam;
+    const bool blows =
+        WhitecapRule(view.water->waves(), view.light.windSpeed).mean >= leastWhitecaps;
+    const bool wakes = view.water->disturbances() != nullptr;
+    called = lies || blows || wakes;
+    reason = blows   ? "the wind raises whitecaps"
+             : lies  ? "foam lies on the water"
+             : wakes ? "a wake may break"
+                     : "no wind, no wake, no foam";
+  }
+  return view.effects->decide(Effect::foam, called, reason) && shown.water;
+}
+
+bool decideRain(const View& view, const Shown& shown) {
+  const bool falls = view.water && view.water->extras().events &&
+                     view.water->extras().events->rain().falls(view.time);
+  const bool called = falls && shown.water && !shown.cameraIsUnderWater;
+  return view.effects->decide(Effect::rain, called,
+                              called  ? "it rains on water in view"
+                              : falls ? "no water in the picture"
+                                      : "no rain") &&
+         called;
+}
+
 }  // namespace
 
 Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyDome>& sky) {
@@ -24,6 +59,13 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
   lighting.waterIsOn = shown.water;
   lighting.cameraIsUnderWater = shown.cameraIsUnderWater;
   lighting.sunDirection = sunDirectionOf(view);
+  lighting.foamIsOn = decideFoam(view, shown);
+  lighting.rainIsOn = decideRain(view, shown);
+  if (lighting.foamIsOn) {
+    view.effects->chargeInside(Effect::foam, Effect::water);
+    view.effects->holdMemory(Effect::foam, foamTable().texels.size() * sizeof(float));
+  }
+  if (lighting.rainIsOn) view.effects->chargeInside(Effect::rain, Effect::water);
   const bool sunIsUp = lighting.sunDirection.z > -0.01f;  // its disc is half a degree wide
   const bool skyIsSeen = shown.water || seesAboveHorizon(view.camera);
   const bool sunIsSeen = sunIsUp && (skyIsSeen || shown.objects);

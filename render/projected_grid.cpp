@@ -142,7 +142,7 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
 }
 
 void ProjectedGridTechnique::keepTo(const WaterOutline& outline, const View& view) const {
-  const PixelBox box = pixelsOf(outline, view.camera, view.water->heightBound());
+  const PixelBox box = pixelsOf(outline, view.camera, view.water->heightBound(view.time));
   const glm::ivec2 size = glm::max(box.end - box.least, 0);
   glScissor(box.least.x, targets_->size.y - box.end.y, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);

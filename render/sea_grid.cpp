@@ -11,12 +11,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/grid_cover.h"
 #include "surface/curvature.h"
 
 namespace seaway::render {
 namespace {
 
-constexpr int chunk = 256;  // columns sampled at a time
+constexpr int chunk = gridChunk;  // columns sampled at a time
 
 /// Heights and slopes of a chunk of a row.
 struct Waves {
@@ -28,6 +29,15 @@ struct Waves {
   }
 };
 
+/// Takes `weight` of another set of waves for as much of these.
+void mixIn(const Waves& other, float weight, int count, Waves& waves) {
+  for (int i = 0; i < count; ++i) {
+    waves.height[i] += weight * (other.height[i] - waves.height[i]);
+    waves.slopeX[i] += weight * (other.slopeX[i] - waves.slopeX[i]);
+    waves.slopeY[i] += weight * (other.slopeY[i] - waves.slopeY[i]);
+  }
+}
+
 }  // namespace
 
 void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout) {
@@ -35,7 +45,19 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
   rowLargest_.resize(size_.y);
+  wakes_.fill(water.disturbances(), water.time(), glm::dvec2(camera.position), layout);
+  if (wakes_.empty()) {
+    missingWakes_ = {};
+  } else {
+    missingWakes_.assign(vertexCount(), 0.0f);
+  }
   wet_.clear();
+  const SurfaceDetail* detail = water.extras().detail.get();
+  if (detail && !detail->cover.empty()) {
+    cover_.resize(vertexCount());
+  } else {
+    cover_.clear();
+  }
   if (water.outline()) findWet(*water.outline(), camera, layout);
   tbb::parallel_for(0, size_.y, [&](int row) {
     rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
@@ -91,6 +113,13 @@ double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
   return largest;
 }
 
+/// Adds the wakes to waves at vertices from `at` on.
+void SeaGrid::addWakes(std::span<const double> x, std::span<const double> y, double spacing,
+                       std::size_t at, const FieldAtTime::Arrays& waves) {
+  const std::span<float> missing = std::span(missingWakes_).subspan(at, x.size());
+  wakes_.addTo(x, y, spacing, {waves.height, waves.slopeX, waves.slopeY, missing});
+}
+
 double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
                           const GridLayout::Row& layout, int row, int first, int count) {
   const auto& [start, step, plan] = layout;
@@ -111,15 +140,20 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
     water.waves().sample(xs, ys, fading.arrays(count),
                          {.shortestWavelength = plan.fadingWavelength});
   }
+  if (fades) mixIn(fading, weight, count, waves);
+  GridCover cover;
+  if (asked) {
+    cover.sample(water, xs, ys);
+    addExtras(water, xs, ys, plan.keptWavelength, cover, waves.arrays(count));
+  }
   double largest = 0.0;
   const std::size_t at = static_cast<std::size_t>(row) * size_.x + first;
+  for (int i = 0; i < count && !cover_.empty(); ++i) {
+    cover_[at + i] = cover.any ? cover.packed(static_cast<std::size_t>(i)) : 0u;
+  }
+  if (asked && !wakes_.empty()) addWakes(xs, ys, plan.spacing, at, waves.arrays(count));
   for (int i = 0; i < count; ++i) {
     float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
-    if (fades) {
-      height += weight * (fading.height[i] - height);
-      slopeX += weight * (fading.slopeX[i] - slopeX);
-      slopeY += weight * (fading.slopeY[i] - slopeY);
-    }
     // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
     // outline it lies as the ground does.
     const bool dry = outline && (!asked || !outline->contains({x[i], y[i]}));
@@ -159,8 +193,9 @@ std::size_t SeaGrid::verticesInFrustum(const Camera& camera) const {
 
 std::size_t SeaGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
-          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity()) *
+          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
+         wakes_.memoryBytes() + cover_.capacity() * sizeof(std::uint32_t) +
          rowLargest_.capacity() * sizeof(double) + wet_.capacity();
 }
 

@@ -7,6 +7,7 @@
 
 #include "render/camera.h"
 #include "render/grid_layout.h"
+#include "render/wakes_in_view.h"
 #include "surface/water_surface.h"
 
 namespace seaway::render {
@@ -32,6 +33,13 @@ class SeaGrid {
   /// Mean-square slope that a row does not carry.
   const std::vector<float>& missingSlope() const { return missingSlope_; }
 
+  /// What lies on the water at each vertex, foam, smoothed water and oil in the low three bytes;
+  /// empty: nothing anywhere.
+  const std::vector<std::uint32_t>& cover() const { return cover_; }
+
+  /// Mean-square slope of wakes that a vertex does not carry, beside its row's; empty: none.
+  const std::vector<float>& missingWakes() const { return missingWakes_; }
+
   /// Whether a batch of `batch` quads of a row, between it and the next, may show water: false only
   /// where the sea has an outline and none of the batch is inside. Vertices outside the outline lie
   /// at still-water level.
@@ -55,9 +63,13 @@ class SeaGrid {
                  int row);
   double fillPiece(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
                    int row, int first, int count);
+  void addWakes(std::span<const double> x, std::span<const double> y, double spacing,
+                std::size_t at, const FieldAtTime::Arrays& waves);
 
   glm::ivec2 size_{0};
-  std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_;
+  std::vector<float> x_, y_, z_, height_, slopeX_, slopeY_, missingSlope_, missingWakes_;
+  std::vector<std::uint32_t> cover_;
+  WakesInView wakes_;
   std::vector<double> rowLargest_;
   std::vector<std::uint8_t> wet_;  // one a batch; empty: all
   double largestHeight_ = 0.0;

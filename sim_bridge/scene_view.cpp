@@ -50,7 +50,7 @@ render::View SceneView::view(const Simulation& simulation, const SceneCamera& ca
                              glm::ivec2 size, EffectLedger& ledger) {
   const Sea& sea = simulation.sea();
   render::View view;
-  view.water = &sea.surface;
+  view.water = &simulation.surface();
   view.time = simulation.time();
   view.camera.verticalFieldOfView = radiansFromDegrees(camera.fieldOfView_deg);
   view.camera.size = size;

@@ -14,7 +14,7 @@ class SceneView {
   /// `scene` must outlive this object.
   explicit SceneView(const Scene& scene);
 
-  /// The view of one camera at the simulation's time. Refers to the simulation's sea, to `ledger`
+  /// The view of one camera at the simulation's time. Refers to the simulation's water, to `ledger`
   /// and to this object: valid until the next call or until one of them goes.
   render::View view(const Simulation& simulation, const SceneCamera& camera, glm::ivec2 size,
                     EffectLedger& ledger);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "surface/angles.h"
+#include "sim_bridge/scene/vessel_course.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -18,13 +18,7 @@ constexpr double reached = 1e-6;
 constexpr double rememberedPast = 600.0;
 
 Vessel makeVessel(const SceneVessel& vessel, const Sea& sea) {
-  const auto start =
-      sea.geodesy.seaPlaneFromGeodetic(vessel.start.latitude_deg, vessel.start.longitude_deg);
-  const Course course(
-      start.position,
-      sea.geodesy.directionFromTrueHeading(start.position, vessel.start.heading_deg), vessel.speed,
-      -radiansFromDegrees(vessel.turn_deg));
-  Vessel made(vessel.model.hull, course);
+  Vessel made(vessel.model.hull, courseOf(vessel, sea.geodesy));
   made.setCurrent(sea.surface.waves().settings().current);
   return made;
 }
@@ -46,7 +40,8 @@ Simulation Simulation::replayed(
                    rememberedPast >
                20.0;
       });
-  const double from = forgets ? std::max(0.0, t - rememberedPast) : 0.0;
+  const double past = rememberedPast + SceneWakes(scene, sea).memory();
+  const double from = forgets ? std::max(0.0, t - past) : 0.0;
   const auto firstStep = static_cast<long long>(from / scene.run.step);
   Simulation simulation(scene, sea, firstStep, nullptr);
   const auto all = static_cast<std::size_t>(std::max(0.0, t / scene.run.step - simulation.steps_));
@@ -61,6 +56,8 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
                        EffectLedger* ledger)
     : scene_(&scene),
       sea_(&sea),
+      wakes_(scene, sea),
+      detail_(scene, sea),
       steps_(firstStep),
       time_(static_cast<double>(firstStep) * scene.run.step) {
   std::size_t count = 0;
@@ -70,6 +67,7 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
   }
   points_.resize(count);
   samples_.resize(count);
+  wakes_.advance(time_, vessels_, ledger);
   sampleAt(time_, ledger);
   forEachVessel([&](Vessel& vessel, const SceneVessel&, std::span<const SurfaceSample> water) {
     if (scene.effects[static_cast<std::size_t>(Effect::vesselMotion)] == EffectSetting::off) {
@@ -86,12 +84,23 @@ void Simulation::forEachVessel(Action action) {
   for (std::size_t i = 0; i < vessels_.size(); ++i) {
     const std::size_t count = vessels_[i].sampleCount();
     action(vessels_[i], scene_->vessels[i],
-           std::span<const SurfaceSample>(samples_).subspan(from, count));
+           std::span(samples_).subspan(from, count));
     from += count;
   }
 }
 
+// What lies on the water and ripples it goes over the sea.
+void Simulation::disturb(double t, EffectLedger* ledger) {
+  detail_.advance(t, ledger);
+  disturbed_ = nullptr;
+  if (!detail_.detail()) return;
+  auto disturbed = std::make_shared<WaterSurface>(wakes_.surface());
+  disturbed->setDetail(detail_.detail());
+  disturbed_ = std::move(disturbed);
+}
+
 void Simulation::sampleAt(double t, EffectLedger* ledger) {
+  disturb(t, ledger);
   if (vessels_.empty()) return;
   std::size_t from = 0;
   for (const Vessel& vessel : vessels_) {
@@ -105,8 +114,27 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
                                                          : "flat water: the field has no octaves");
   if (charged) ledger->holdMemory(Effect::waves, waves.memoryBytes());
   EffectTimer timer(charged ? ledger : nullptr, Effect::waves);
-  sea_->surface.sample(points_, t, samples_, {scene_->accuracy.motionTolerance});
+  sampleSurface(t);
   requireAfloat(t);
+}
+
+void Simulation::sampleSurface(double t) {
+  SampleOptions options{.tolerance = scene_->accuracy.motionTolerance};
+  const auto disturbances = wakes_.surface().disturbances();
+  if (!disturbances) return surface().sample(points_, t, samples_, options);
+  surface().sampleWithoutWakes(points_, t, samples_, options);
+  forEachVessel([&](const Vessel& vessel, const SceneVessel&, std::span<SurfaceSample> water) {
+    const auto first = static_cast<std::size_t>(water.data() - samples_.data());
+    options.excludeVessel = wakes_.ownHandle(static_cast<std::size_t>(&vessel - vessels_.data()));
+    disturbances->addTo(std::span(points_).subspan(first, water.size()), t, water, options);
+  });
+  if (const WaterOutline* outline = sea_->surface.outline()) outline->markDry(points_, samples_);
+}
+
+void Simulation::attend(Audience audience, EffectLedger* ledger) {
+  wakes_.setAudience(std::move(audience));
+  wakes_.advance(time_, vessels_, ledger);
+  disturb(time_, ledger);
 }
 
 void Simulation::requireAfloat(double t) const {
@@ -125,6 +153,7 @@ void Simulation::requireAfloat(double t) const {
 double Simulation::nextTime() const { return static_cast<double>(steps_ + 1) * scene_->run.step; }
 
 void Simulation::advanceTo(double t, EffectLedger* ledger) {
+  wakes_.advance(t, vessels_, ledger);
   sampleAt(t, ledger);
   bool moves =
       scene_->effects[static_cast<std::size_t>(Effect::vesselMotion)] != EffectSetting::off;

@@ -7,12 +7,16 @@
 
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene_detail.h"
+#include "sim_bridge/scene_wakes.h"
 #include "sim_bridge/vessel/vessel.h"
 #include "surface/effects.h"
 
 namespace seaway::bridge {
 
 /// The vessels of a scene in motion, from the scene's epoch on in equal steps.
+///
+/// Vessels rock in each other's wakes, and not in their own (SceneWakes).
 ///
 /// A copy is a snapshot: it can be moved on without touching the original. Times are multiples of
 /// the step, never sums, so that a replay gives the same bits.
@@ -22,12 +26,17 @@ class Simulation {
   /// simulation and its copies.
   Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger = nullptr);
 
-  /// At time `t` ≥ 0, replayed from the start; from 600 s before `t` where that is later and all
-  /// vessels are damped, for by then they have forgotten their start.
+  /// At time `t` ≥ 0, replayed from the start; from 600 s before `t`, and as long again as wakes
+  /// last, where that is later and all vessels are damped, for by then they have forgotten their
+  /// start. On the way wakes run where vessels feel them; for an audience they are rebuilt at `t`
+  /// (`attend`), within 1 % of their height of those that have run all along.
   /// `observe` hears of every step: how many are done, and of how many.
   static Simulation replayed(
       const Scene& scene, const Sea& sea, double t,
       const std::function<void(std::size_t done, std::size_t all)>& observe = {});
+
+  /// From now on wakes are there for these too; by default vessels alone call for them.
+  void attend(Audience audience, EffectLedger* ledger = nullptr);
 
   double time() const { return time_; }
   double nextTime() const;  ///< after one more step, s
@@ -46,10 +55,14 @@ class Simulation {
   const Scene& scene() const { return *scene_; }
   const Sea& sea() const { return *sea_; }
   std::span<const Vessel> vessels() const { return vessels_; }
+  /// The sea with all that disturbs it, at times about `time()`. Valid until the next step.
+  const WaterSurface& surface() const { return disturbed_ ? *disturbed_ : wakes_.surface(); }
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
   void sampleAt(double t, EffectLedger* ledger);
+  void disturb(double t, EffectLedger* ledger);
+  void sampleSurface(double t);
   void requireAfloat(double t) const;
   void advanceTo(double t, EffectLedger* ledger);
   template <class Action>
@@ -58,6 +71,9 @@ class Simulation {
   const Scene* scene_;
   const Sea* sea_;
   std::vector<Vessel> vessels_;
+  SceneWakes wakes_;
+  SceneDetail detail_;
+  std::shared_ptr<const WaterSurface> disturbed_;  // null: nothing but waves, wakes and events
   std::vector<glm::dvec2> points_;
   std::vector<SurfaceSample> samples_;
   long long steps_ = 0;

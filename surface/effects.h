@@ -23,6 +23,12 @@ enum class Effect : std::size_t {
   sun,
   vesselMeshes,
   wake,
+  foam,
+  trail,
+  oil,
+  splash,
+  rain,
+  ripples,
   outline,
   hullMask,
   count

@@ -94,9 +94,39 @@ void add(const DisturbanceState& state, const VesselWaves& wake, double depth, d
                                  -omega * omega * motion.height * decay.vertical);
 }
 
+/// What splashes, rain, ripples and damped waves change at the surface: known there alone.
+struct SurfaceChange {
+  double height = 0.0;
+  glm::dvec3 velocity{0.0};
+};
+
+/// How fast that dies down with depth, 1/m: as waves of 2 m do.
+constexpr double changeDecay = pi;
+
+/// Adds the extras to heights of `surface` and notes what they change.
+void addExtras(const FieldAtTime& now, const SurfaceExtras& extras,
+               std::span<const glm::dvec2> points, std::span<SurfaceSample> surface,
+               std::span<SurfaceChange> change, SampleOptions options) noexcept {
+  std::array<SurfaceSample, pointsPerTile> before, after;
+  const std::size_t count = points.size();
+  options.derivatives = options.orbitalVelocity = true;
+  now.sample(points, std::span(before.data(), count), options);
+  after = before;
+  extras.addTo(points, now.time(), std::span(after.data(), count), options,
+               [&](auto some, auto samples, const SampleOptions& wanted) {
+                 now.sample(some, samples, wanted);
+               });
+  for (std::size_t i = 0; i < count; ++i) {
+    change[i] = {after[i].height - before[i].height,
+                 after[i].orbitalVelocity - before[i].orbitalVelocity};
+    surface[i].height += change[i].height;
+  }
+}
+
 /// Kinematics of up to a tile of points.
 void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
-                std::span<const glm::dvec3> points, std::span<WaterKinematics> out,
+                const SurfaceExtras* extras, std::span<const glm::dvec3> points,
+                std::span<WaterKinematics> out,
                 const SampleOptions& options) noexcept {
   const WaveField& waves = now.field();
   const std::size_t count = points.size();
@@ -109,6 +139,11 @@ void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
   SampleOptions heights = options;
   heights.derivatives = heights.orbitalVelocity = false;
   now.sample(at, std::span(surface.data(), count), heights);
+  std::array<SurfaceChange, pointsPerTile> change;
+  if (extras) {
+    addExtras(now, *extras, at, std::span(surface.data(), count),
+              std::span(change.data(), count), options);
+  }
   if (disturbances) {
     disturbances->addTo(at, now.time(), std::span(surface.data(), count), heights);
   }
@@ -123,6 +158,11 @@ void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
     out[i].velocity = velocity[i];
     out[i].acceleration = acceleration[i];
     out[i].dynamicPressure = weightDensity * head[i];
+    if (extras) {
+      const double left = std::exp(changeDecay * static_cast<double>(stretched[i]));
+      out[i].dynamicPressure += weightDensity * change[i].height * left;
+      out[i].velocity += change[i].velocity * left;
+    }
     if (disturbances) {
       for (const VesselWaves& wake : disturbances->wakes()) {
         if (options.excludeVessel != 0 && wake.vessel == options.excludeVessel) continue;
@@ -140,15 +180,17 @@ void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points
                       std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
-    sampleTile(now, nullptr, points.subspan(first, count), out.subspan(first, count), options);
+    sampleTile(now, nullptr, nullptr, points.subspan(first, count), out.subspan(first, count), options);
   }
 }
 
 void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> points,
                       std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
+  const SurfaceExtras* extras =
+      now.extras().events || now.extras().detail ? &now.extras() : nullptr;
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
-    sampleTile(now.waves(), now.disturbances(), points.subspan(first, count),
+    sampleTile(now.waves(), now.disturbances(), extras, points.subspan(first, count),
                out.subspan(first, count), options);
   }
 }

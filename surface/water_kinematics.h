@@ -37,7 +37,8 @@ void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points
 
 /// The same for the whole surface: heights are stretched about waves and disturbances together, and a
 /// wake's motion, known at the surface, decays with its mean wave number: exact at the surface, an
-/// estimate below. SampleOptions::excludeVessel leaves out a vessel's own.
+/// estimate below. SampleOptions::excludeVessel leaves out a vessel's own. So do splashes, ripples and
+/// what smoothed water takes away, all as fast as waves of 2 m do.
 void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> points,
                       std::span<WaterKinematics> out, const SampleOptions& options = {}) noexcept;
 

@@ -5,8 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "surface/disturbance/analytic/surface_events.h"
 #include "surface/disturbance/disturbance_state.h"
 #include "surface/disturbance/published.h"
+#include "surface/disturbance/surface_detail.h"
 #include "surface/field/wave_field.h"
 #include "surface/outline/water_outline.h"
 #include "surface/surface_sample.h"
@@ -18,6 +20,27 @@ using DisturbanceFeed = Published<DisturbanceState>;
 
 class WaterSurface;
 
+/// What disturbs a sea beside wakes: by formula, and as pictures of the surface about a time. Null:
+/// nothing.
+struct SurfaceExtras {
+  std::shared_ptr<const SurfaceEvents> events;  ///< splashes, rain
+  std::shared_ptr<const SurfaceDetail> detail;  ///< foam, smoothed water, oil, pools of ripples
+
+  /// Adds to samples of waves (and wakes) what disturbs them; `sampleWaves` as dampShortWaves.
+  template <class SampleWaves>
+  void addTo(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
+             const SampleOptions& options, const SampleWaves& sampleWaves) const noexcept {
+    if (detail) {
+      dampShortWaves(*detail, points, t, out, options, sampleWaves);
+      for (const auto& sheet : detail->ripples) sheet->addTo(points, t, out, options);
+    }
+    if (events) events->addTo(points, t, out, options);
+  }
+  double heightBound(double t) const {
+    return (events ? events->heightBound(t) : 0.0) + (detail ? detail->heightBound() : 0.0);
+  }
+};
+
 /// The water surface prepared for one time: what to ask for many queries of few points at that
 /// time. Refers to the surface it comes from, which must outlive it, and holds the disturbances of
 /// the moment it was made. Const calls are thread-safe and allocate nothing.
@@ -25,8 +48,11 @@ class SurfaceAtTime {
  public:
   explicit SurfaceAtTime(FieldAtTime waves,
                          std::shared_ptr<const DisturbanceState> disturbances = nullptr,
-                         const WaterOutline* outline = nullptr)
-      : waves_(std::move(waves)), disturbances_(std::move(disturbances)), outline_(outline) {}
+                         const WaterOutline* outline = nullptr, SurfaceExtras extras = {})
+      : waves_(std::move(waves)),
+        disturbances_(std::move(disturbances)),
+        outline_(outline),
+        extras_(std::move(extras)) {}
 
   /// Prepares this object for `surface` at another time, with the disturbances of now: as
   /// WaterSurface::at, but allocates only for a field with more octaves. Not while others sample.
@@ -38,23 +64,26 @@ class SurfaceAtTime {
   const DisturbanceState* disturbances() const { return disturbances_.get(); }
   /// Null where there is water everywhere.
   const WaterOutline* outline() const { return outline_; }
+  const SurfaceExtras& extras() const { return extras_; }
 
   /// See WaveField::sample; the same bits. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, out, options);
+    addExtras(points, out, options);
     if (disturbances_) disturbances_->addTo(points, time(), out, options);
     if (outline_) outline_->markDry(points, out);
   }
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept {
     SurfaceSample result = waves_.sample(point, options);
     const std::span<const glm::dvec2> points(&point, 1);
+    addExtras(points, std::span(&result, 1), options);
     if (disturbances_) disturbances_->addTo(points, time(), std::span(&result, 1), options);
     if (outline_) outline_->markDry(points, std::span(&result, 1));
     return result;
   }
 
-  /// See FieldAtTime::Arrays; the outline is not looked at.
+  /// See FieldAtTime::Arrays: waves and wakes alone; the outline is not looked at.
   void sample(std::span<const double> x, std::span<const double> y, const FieldAtTime::Arrays& out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(x, y, out, options);
@@ -65,13 +94,24 @@ class SurfaceAtTime {
 
   /// See WaveField::heightBound; disturbances included.
   double heightBound() const {
-    return waves_.field().heightBound() + (disturbances_ ? disturbances_->heightBound() : 0.0);
+    return waves_.field().heightBound() + (disturbances_ ? disturbances_->heightBound() : 0.0) +
+           extras_.heightBound(time());
   }
 
  private:
+  void addExtras(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
+                 const SampleOptions& options) const noexcept {
+    if (!extras_.events && !extras_.detail) return;
+    extras_.addTo(points, time(), out, options,
+                  [&](auto some, auto samples, const SampleOptions& wanted) {
+                    waves_.sample(some, samples, wanted);
+                  });
+  }
+
   FieldAtTime waves_;
   std::shared_ptr<const DisturbanceState> disturbances_;
   const WaterOutline* outline_;
+  SurfaceExtras extras_;
 };
 
 /// The one surface that physics asks and pictures draw: waves, and what disturbs them.
@@ -99,17 +139,40 @@ class WaterSurface {
   const WaterOutline* outline() const { return outline_.get(); }
   std::shared_ptr<const WaterOutline> sharedOutline() const { return outline_; }
 
+  /// Splashes, rain, layers and ripples from now on. Not while others sample.
+  void setEvents(std::shared_ptr<const SurfaceEvents> events) {
+    extras_.events = std::move(events);
+  }
+  void setDetail(std::shared_ptr<const SurfaceDetail> detail) {
+    extras_.detail = std::move(detail);
+  }
+  const SurfaceExtras& extras() const { return extras_; }
+
   /// The surface prepared for one time; allocates.
-  SurfaceAtTime at(double t) const { return SurfaceAtTime(waves_.at(t), disturbances(), outline()); }
+  SurfaceAtTime at(double t) const {
+    return SurfaceAtTime(waves_.at(t), disturbances(), outline(), extras_);
+  }
 
   /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
-    waves_.sample(points, t, out, options);
+    sampleWithoutWakes(points, t, out, options);
     if (feed_) {
       if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
     }
     if (outline_) outline_->markDry(points, out);
+  }
+
+  /// The same without what the feed publishes, and without the outline.
+  void sampleWithoutWakes(std::span<const glm::dvec2> points, double t,
+                          std::span<SurfaceSample> out,
+                          const SampleOptions& options = {}) const noexcept {
+    waves_.sample(points, t, out, options);
+    if (!extras_.events && !extras_.detail) return;
+    extras_.addTo(points, t, out, options,
+                  [&](auto some, auto samples, const SampleOptions& wanted) {
+                    waves_.sample(some, t, samples, wanted);
+                  });
   }
 
   SurfaceSample sample(glm::dvec2 point, double t,
@@ -119,22 +182,29 @@ class WaterSurface {
     return result;
   }
 
-  /// See WaveField::heightBound; disturbances included.
+  /// See WaveField::heightBound; disturbances included, but for splashes and rain.
   double heightBound() const {
     const auto state = disturbances();
-    return waves_.heightBound() + (state ? state->heightBound() : 0.0);
+    return waves_.heightBound() + (state ? state->heightBound() : 0.0) +
+           (extras_.detail ? extras_.detail->heightBound() : 0.0);
+  }
+  /// The same at time `t` with splashes and rain.
+  double heightBound(double t) const {
+    return heightBound() + (extras_.events ? extras_.events->heightBound(t) : 0.0);
   }
 
  private:
   WaveField waves_;
   std::shared_ptr<const DisturbanceFeed> feed_;
   std::shared_ptr<const WaterOutline> outline_;
+  SurfaceExtras extras_;
 };
 
 inline void SurfaceAtTime::moveTo(const WaterSurface& surface, double t) {
   waves_.moveTo(surface.waves(), t);
   disturbances_ = surface.disturbances();
   outline_ = surface.outline();
+  extras_ = surface.extras();
 }
 
 }  // namespace seaway

@@ -27,6 +27,9 @@ class GlGrowingBuffer {
 };
 
 /// Describes attribute `index` of the buffer at binding 0: `components` floats at `offset` bytes.
+/// Three bytes of a 32-bit word as numbers of [0, 1].
+void byteAttribute(GLuint vertexArray, GLuint index, std::size_t offset);
+
 void floatAttribute(GLuint vertexArray, GLuint index, int components, std::size_t offset);
 
 }  // namespace seaway::render

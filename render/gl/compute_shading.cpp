@@ -3,7 +3,8 @@
 namespace seaway::render {
 
 ComputeShading::ComputeShading()
-    : program_(GlProgram::compute({"shading_prelude.glsl", "sea_shading.glsl.h", "shade.comp"})) {}
+    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h",
+                                   "sea_shading.glsl.h", "shade.comp"})) {}
 
 void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   setShadingConstants(program_, input.constants);
@@ -14,6 +15,7 @@ void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   if (input.waterIsOn) {
     program_.setTexture("fresnelTable", 4, textures_.fresnel());
     program_.setTexture("rippleMap", 5, textures_.ripples());
+    if (input.constants.foamIsOn) program_.setTexture("foamMap", 6, textures_.foam());
   }
   glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   glUseProgram(program_);

@@ -11,6 +11,7 @@ CpuVerticesPass::CpuVerticesPass()
   floatAttribute(array_, 0, 3, offsetof(SeaVertex, position));
   floatAttribute(array_, 1, 2, offsetof(SeaVertex, slope));
   floatAttribute(array_, 2, 2, offsetof(SeaVertex, height));
+  byteAttribute(array_, 3, offsetof(SeaVertex, cover));
 }
 
 std::string_view CpuVerticesPass::variant() const {

@@ -32,6 +32,7 @@ void GpuNormalsPass::draw(const FrameTargets&, const glm::mat4& clipFromRelative
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   program_.set("vertices", vertexCount_);
   program_.setTexture("waveMap", 0, waves_.map().texture());
+  waves_.useCover(program_);
   setWaterStencil(cameraIsUnderWater);
   glUseProgram(program_);
   glBindVertexArray(array_);

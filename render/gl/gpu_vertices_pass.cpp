@@ -24,6 +24,7 @@ void GpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativ
   waves_.map().bindBuffers();
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   program_.setTexture("waveMap", 0, waves_.map().texture());
+  waves_.useCover(program_);
   setWaterStencil(cameraIsUnderWater);
   glUseProgram(program_);
   glBindVertexArray(array_);

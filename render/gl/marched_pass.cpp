@@ -32,7 +32,11 @@ void MarchedPass::draw(const FrameTargets& targets, const glm::mat4&, bool camer
   march_.setTexture("waveMap", 0, waves_.map().texture());
   march_.setTexture("stamps", 1, waves_.stamps());
   march_.set("stampsAreOn", waves_.stamps() != 0 ? 1 : 0);
+  march_.set("extrasAreOn", waves_.extras() != 0 ? 1 : 0);
+  if (waves_.extras() != 0) march_.setTexture("extras", 3, waves_.extras());
+  waves_.useCover(march_);
   glUseProgram(march_);
+  glBindImageTexture(2, targets.albedo, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   glBindImageTexture(0, targets.surface, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   glBindImageTexture(1, targets.distance, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);  // the targets were cleared by drawing

@@ -4,10 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "render/gl/cover_map.h"
 #include "render/gl/gpu_clock.h"
 #include "render/gl/outline_buffers.h"
 #include "render/gl/sea_geometry_pass.h"
+#include "render/gl/stamp_map.h"
 #include "render/gl/stamp_pass.h"
+#include "render/gl/wake_stamp_pass.h"
 #include "render/gl/wave_map.h"
 
 namespace seaway::render {
@@ -19,7 +22,8 @@ class ProjectedWaves {
   /// `way` as the context is quicker: compute shaders on hardware, fragment shaders in software.
   ProjectedWaves();
 
-  /// Fills the map for a grid of `size`. Stamps cost nothing while there are none.
+  /// Fills the map for a grid of `size`, wakes of the view's water and `stamps` added. Neither costs
+  /// anything while there are none.
   void fill(const View& view, const Projector& projector, glm::ivec2 size,
             std::span<const Stamp> stamps = {});
 
@@ -28,9 +32,15 @@ class ProjectedWaves {
     outline_.use(program, view.water->sharedOutline(), view.camera);
   }
 
+  /// Tells a program what lies on the water, at the map's texels: `coverMap` on texture unit 2.
+  void useCover(const GlProgram& program) const;
+
+  /// Splashes and the like, as added to the map; 0 while there are none.
+  GLuint extras() const { return coverMap_.extras(); }
+
   const WaveMap& map() const { return map_; }
-  /// Stamps alone, as added to the map; 0 while there are none.
-  GLuint stamps() const { return stampTexture_; }
+  /// Wakes and stamps alone, as added to the map; 0 while there are none.
+  GLuint stamps() const { return stampMap_ ? stampMap_->texture() : GLuint{0}; }
   std::span<const TwinRow> rows() const { return rows_; }
 
   /// See SeaGeometryPass::gpuMs.
@@ -39,11 +49,16 @@ class ProjectedWaves {
   std::size_t memoryBytes() const;
 
  private:
+  void addStamps(std::span<const Stamp> stamps, glm::dvec2 foot, int columns);
+
   GlVertexArray noVertices_;
   WaveMap map_;
+  CoverMap coverMap_;
   OutlineBuffers outline_;
+  std::optional<StampMap> stampMap_;
   std::optional<StampPass> stampPass_;
-  GLuint stampTexture_ = 0;
+  std::optional<WakeStampPass> wakePass_;
+  WakesInView wakes_;
   std::vector<TwinRow> rows_;
   GpuClock clock_;
 };

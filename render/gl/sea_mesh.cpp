@@ -44,7 +44,9 @@ void SeaMesh::fill(const SeaGrid& grid, const Camera& camera) {
       vertices_[i] = {{grid.x()[i], grid.y()[i], grid.z()[i]},
                       {grid.slopeX()[i], grid.slopeY()[i]},
                       grid.height()[i],
-                      grid.missingSlope()[row]};
+                      grid.missingSlope()[row] +
+                          (grid.missingWakes().empty() ? 0.0f : grid.missingWakes()[i]),
+                      grid.cover().empty() ? 0u : grid.cover()[i]};
       outside_[i] = sides.beyond(vertices_[i].position);
     }
   });

@@ -16,6 +16,7 @@ struct SeaVertex {
   glm::vec2 slope;            ///< of the waves the grid carries
   float height = 0.0f;        ///< of the waves above still water, m
   float missingSlope = 0.0f;  ///< mean-square slope that the grid does not carry
+  std::uint32_t cover = 0;    ///< foam, smoothed water and oil in the low three bytes
 };
 
 /// A SeaGrid as a mesh for OpenGL: its vertices and the triangles that can be in the picture.

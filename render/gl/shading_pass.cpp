@@ -16,8 +16,13 @@ void drawFullScreen(const GlProgram& program, GLuint framebuffer, glm::ivec2 siz
 }
 
 GlProgram makeShader(std::string_view fragment) {
-  return GlProgram({"full_screen.vert"}, {"shading_prelude.glsl", "sea_shading.glsl.h",
-                                          "shading_inputs.glsl", fragment});
+  return GlProgram({"full_screen.vert"},
+                   {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
+                    "shading_inputs.glsl", fragment});
+}
+
+std::string element(const char* name, int i) {
+  return std::string(name) + '[' + std::to_string(i) + ']';
 }
 
 void setLight(const GlProgram& program, const ShadingConstants& c) {
@@ -40,7 +45,6 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
   program.set("waterExtinction", c.waterExtinction);
   program.set("deepWater", c.deepWater);
   program.set("veil", c.veil);
-  program.set("foamLight", c.foamLight);
   program.set("crestSky", c.crestSky);
   program.set("crestSun", c.crestSun);
   program.set("crestScale", c.crestScale);
@@ -48,9 +52,6 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
   program.set("rippleDeviation", c.rippleDeviation);
   program.set("hairSlope", c.hairSlope);
   program.set("rippleLastLevel", c.rippleLastLevel);
-  const auto element = [](const char* name, int i) {
-    return std::string(name) + '[' + std::to_string(i) + ']';
-  };
   for (int i = 0; i < 4; ++i) {
     program.set(element("rippleFromWorld", i).c_str(), c.rippleFromWorld[i]);
   }
@@ -60,6 +61,38 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
     program.set(element("rippleTexelsPerMetre", i).c_str(), c.rippleTexelsPerMetre[i]);
   }
   for (int i = 0; i < 8; ++i) program.set(element("rippleKept", i).c_str(), c.rippleKept[i]);
+}
+
+void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {
+  program.set("oilLight", c.oilLight);
+  program.set("bubbleLight", c.bubbleLight);
+  program.set("foamIsOn", c.foamIsOn ? 1 : 0);
+  if (c.foamIsOn) {
+    program.set("foamSky", c.foamSky);
+    program.set("foamSun", c.foamSun);
+    program.set("whitecapAlong", c.whitecapAlong);
+    program.set("whitecapPerHeight", c.whitecapPerHeight);
+    program.set("whitecapMean", c.whitecapMean);
+    program.set("perTotalSlope", c.perTotalSlope);
+    program.set("breakingRamp", c.breakingRamp);
+    program.set("oldRamp", c.oldRamp);
+    program.set("foamLastLevel", c.foamLastLevel);
+    for (int i = 0; i < 3; ++i) {
+      program.set(element("foamTexelsPerMetre", i).c_str(), c.foamTexelsPerMetre[i]);
+      program.set(element("foamAxis", i).c_str(), c.foamAxis[i]);
+      program.set(element("foamOrigin", i).c_str(), c.foamOrigin[i]);
+    }
+    for (int i = 0; i < 8; ++i) program.set(element("foamKept", i).c_str(), c.foamKept[i]);
+  }
+  program.set("rainIsOn", c.rainIsOn ? 1 : 0);
+  if (!c.rainIsOn) return;
+  program.set("rainCell", glm::ivec2(c.rainColumn, c.rainRow));
+  program.set("rainCode", glm::ivec2(c.rainCount, c.rainSeed));
+  program.set("rainFoot", c.rainFoot);
+  program.set("rainPart", c.rainPart);
+  program.set("rainDrops", c.rainDrops);
+  program.set("rainMeanSquare", c.rainMeanSquare);
+  program.set("rainSlots", c.rainSlots);
 }
 
 }  // namespace
@@ -73,12 +106,14 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("roughestSlope", static_cast<float>(fresnelTableRoughest));
   setLight(program, c);
   setWater(program, c);
+  setFoamAndRain(program, c);
 }
 
 ShadingPass::ShadingPass()
     : sky_(makeShader("shade_sky.frag")),
       toneMap_({"full_screen.vert"},
-               {"shading_prelude.glsl", "sea_shading.glsl.h", "tone_map.frag"}) {}
+               {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
+                "tone_map.frag"}) {}
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {
@@ -87,6 +122,7 @@ void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
   if (which == stencilWater) {
     program.setTexture("fresnelTable", 4, textures_.fresnel());
     program.setTexture("rippleMap", 5, textures_.ripples());
+    if (input.constants.foamIsOn) program.setTexture("foamMap", 6, textures_.foam());
   }
   program.setTexture("surfaceMap", 1, targets.surface);
   program.setTexture("albedoMap", 2, targets.albedo);

@@ -65,13 +65,27 @@ GLuint ShadingTextures::ripples() {
   return ripples_;
 }
 
+GLuint ShadingTextures::foam() {
+  if (foam_ != 0) return foam_;
+  constexpr int wholeSide = FoamTable::side, levels = FoamTable::levels;
+  foam_ = makeTexture(GL_R32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
+  forEachLevel(wholeSide, levels, [&](int level, int side, int first) {
+    glTextureSubImage2D(foam_, level, 0, 0, side, side, GL_RED, GL_FLOAT,
+                        foamTable().texels.data() + first);
+  });
+  glTextureParameteri(foam_, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(foam_, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return foam_;
+}
+
 std::size_t ShadingTextures::skyMemoryBytes() const {
   return dome_ == 0 ? 0 : std::size_t{SkyDome::side} * SkyDome::side * 4 * 4 / 3;
 }
 
 std::size_t ShadingTextures::waterMemoryBytes() const {
   return (fresnel_ == 0 ? 0 : std::size_t{fresnelColumns} * fresnelRows * 16) +
-         (ripples_ == 0 ? 0 : shadingTables().ripples.size() * 8);
+         (ripples_ == 0 ? 0 : shadingTables().ripples.size() * 8) +
+         (foam_ == 0 ? 0 : foamTable().texels.size() * sizeof(float));
 }
 
 }  // namespace seaway::render

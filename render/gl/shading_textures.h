@@ -16,12 +16,14 @@ class ShadingTextures {
   /// Made when water is first shaded.
   GLuint fresnel();
   GLuint ripples();
+  /// Made when foam is first shaded.
+  GLuint foam();
 
   std::size_t skyMemoryBytes() const;
   std::size_t waterMemoryBytes() const;
 
  private:
-  GlTexture dome_, fresnel_, ripples_;
+  GlTexture dome_, fresnel_, ripples_, foam_;
   int domeVersion_ = 0;
 };
 

@@ -19,7 +19,7 @@ struct Stamp {
   double height = 0.0;       ///< m per unit of the shader's height
 };
 
-/// Blends stamps additively into a texture of the wave map's size (RGBA32F: height, slope, 0).
+/// Adds stamps to a StampMap.
 ///
 /// Made when a scene first has a stamp. Each stamp costs its texels only; a row that is too coarse
 /// for it, as for waves of four times its shorter half size, fades it out.
@@ -29,21 +29,17 @@ class StampPass {
   /// derivatives by `local`, which runs over [-1, 1]² along the stamp's axes; 0 at the edge.
   explicit StampPass(std::string_view shape = "stamp_bump.glsl");
 
-  /// Texture with all `stamps` around the origin `foot`, over `rows` of `columns` points, which
-  /// must be bound (WaveMap::uploadRows). Needs an empty vertex array to be bound, and puts it
-  /// back.
-  GLuint draw(std::span<const Stamp> stamps, glm::dvec2 foot, std::span<const TwinRow> rows,
+  /// Draws `stamps` around the origin `foot` into the map that has begun, over `rows` of `columns`
+  /// points, which must be bound (WaveMap::uploadRows). Leaves its own vertex array bound.
+  void draw(std::span<const Stamp> stamps, glm::dvec2 foot, std::span<const TwinRow> rows,
               int columns);
 
-  std::size_t memoryBytes() const;
+  std::size_t memoryBytes() const { return instances_.memoryBytes(); }
 
  private:
   GlProgram program_;
   GlGrowingBuffer instances_;
   GlVertexArray array_;
-  GlTexture texture_;
-  GlFramebuffer framebuffer_;
-  glm::ivec2 size_{0};
 };
 
 }  // namespace seaway::render

@@ -74,7 +74,7 @@ void WaveMap::bindBuffers() const {
 }
 
 void WaveMap::fill(const FieldTwin& field, std::span<const TwinRow> rows, int columns,
-                   const Camera& camera, GLuint stamps) {
+                   const Camera& camera, GLuint stamps, GLuint extras) {
   resize({columns, static_cast<int>(rows.size())});
   uploadField(field);
   uploadRows(rows);
@@ -88,6 +88,8 @@ void WaveMap::fill(const FieldTwin& field, std::span<const TwinRow> rows, int co
   program_.set("nearDistance", static_cast<float>(camera.nearDistance));
   program_.set("stampsAreOn", stamps != 0 ? 1 : 0);
   program_.setTexture("stamps", 0, stamps);
+  program_.set("extrasAreOn", extras != 0 ? 1 : 0);
+  if (extras != 0) program_.setTexture("extras", 1, extras);
   glUseProgram(program_);
   if (way_ == Way::compute) {
     glBindImageTexture(0, texture_, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);

@@ -23,9 +23,9 @@ class WaveMap {
   void uploadRows(std::span<const TwinRow> rows);
 
   /// Fills the map for rows of `columns` points. `stamps`: a texture of the map's size that is
-  /// added to it, 0 for none. Needs an empty vertex array to be bound.
+  /// added to it, 0 for none; `extras`: another. Needs an empty vertex array to be bound.
   void fill(const FieldTwin& field, std::span<const TwinRow> rows, int columns,
-            const Camera& camera, GLuint stamps = 0);
+            const Camera& camera, GLuint stamps = 0, GLuint extras = 0);
 
   /// The program that fills the map: for what OutlineBuffers tells it.
   const GlProgram& program() const { return program_; }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/grid_layout.h"
+#include "render/wakes_in_view.h"
 #include "surface/water_surface.h"
 
 namespace seaway::render {
@@ -12,10 +13,12 @@ namespace seaway::render {
 /// at each place the waves that the rows before and behind carry, interpolated between them.
 ///
 /// A grid and a ray-cast are compared on this surface, so that what differs is the drawing, not the
-/// band limit. Refers to surface and layout, which must outlive it. Thread-safe.
+/// band limit. Refers to surface, wakes and layout, which must outlive it. Thread-safe.
 class BandLimitedSea {
  public:
-  BandLimitedSea(const SurfaceAtTime& water, const GridLayout& layout, glm::dvec2 foot);
+  /// `wakes` are those of `water` that `layout` meets.
+  BandLimitedSea(const SurfaceAtTime& water, const WakesInView& wakes, const GridLayout& layout,
+                 glm::dvec2 foot);
 
   struct Point {
     double height = 0.0;  ///< m above still water
@@ -37,13 +40,16 @@ class BandLimitedSea {
 
  private:
   Point row(int index, glm::dvec2 point) const;
+  void addExtras(glm::dvec2 point, double keptWavelength, Point& carried) const;
   double carriedSlope(glm::dvec2 place) const;
 
   const SurfaceAtTime& water_;
+  const WakesInView& wakes_;
   const GridLayout& layout_;
   glm::dvec2 foot_;
   double totalSlope_;  // mean square
-  double bound_;       // m
+  double steepestWake_;
+  double bound_;  // m
 };
 
 }  // namespace seaway::render

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/grid_cover.h"
 #include "render/grid_placement.h"
 #include "render/reference/band_limited_sea.h"
 #include "render/software/strip_technique.h"
@@ -27,17 +28,20 @@ class ReferenceTechnique final : public StripTechnique {
   void fillSeaSpan(const View& view, const float* inverse, int row, int first, bool underWater,
                    PixelSpan& span) const override;
   std::size_t seaMemoryBytes() const override {
-    return points_.capacity() * sizeof(BandLimitedSea::Point);
+    return points_.capacity() * sizeof(BandLimitedSea::Point) +
+           cover_.capacity() * sizeof(glm::vec3);
   }
   BandLimitedSea sea(const View& view) const {
-    return {*water_, layout_, glm::dvec2(view.camera.position)};
+    return {*water_, wakes_, layout_, glm::dvec2(view.camera.position)};
   }
 
   ProjectedGridOptions options_;
   std::optional<SurfaceAtTime> water_;
+  WakesInView wakes_;
   GridLayout layout_;
   double reach_ = 0.0;
   std::vector<BandLimitedSea::Point> points_;  // one a pixel
+  std::vector<glm::vec3> cover_;               // the same; empty: nothing lies on the water
 };
 
 bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
@@ -51,7 +55,10 @@ bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
   stats.vertexEfficiency = 0.0;
   if (!placed) return false;
   water_.emplace(view.water->at(view.time));
+  wakes_.fill(water_->disturbances(), view.time, glm::dvec2(view.camera.position), layout_);
   points_.resize(static_cast<std::size_t>(view.camera.size.x) * view.camera.size.y);
+  const SurfaceDetail* detail = view.water->extras().detail.get();
+  cover_.resize(detail && !detail->cover.empty() ? points_.size() : 0);
   return true;
 }
 
@@ -72,20 +79,24 @@ void ReferenceTechnique::rasterSea(const View& view, Strip& strip) {
       if (!distance) continue;
       strip.inverse[static_cast<std::size_t>(line) * strip.stride + column] =
           static_cast<float>(1.0 / (*distance * cosine));
-      points_[static_cast<std::size_t>(row) * strip.width + column] =
-          surface.at(glm::dvec2(ray) * *distance);
+      const std::size_t pixel = static_cast<std::size_t>(row) * strip.width + column;
+      const glm::dvec2 place = glm::dvec2(ray) * *distance;
+      points_[pixel] = surface.at(place);
+      if (!cover_.empty()) cover_[pixel] = coverAt(*water_, glm::dvec2(camera.position) + place);
     }
   });
 }
 
 void ReferenceTechnique::fillSeaSpan(const View& view, const float* inverse, int row, int first,
                                      bool underWater, PixelSpan& span) const {
+  span.hasCover = !cover_.empty();
   for (int i = 0; i < span.count; ++i) {
     span.kind[i] = ShadedAs::sky;
     span.axial[i] = 1.0f;
     if (inverse[i] == 0.0f) continue;
-    const BandLimitedSea::Point& point =
-        points_[static_cast<std::size_t>(row) * view.camera.size.x + first + i];
+    const std::size_t pixel = static_cast<std::size_t>(row) * view.camera.size.x + first + i;
+    for (int c = 0; span.hasCover && c < 3; ++c) span.cover[c][i] = cover_[pixel][c];
+    const BandLimitedSea::Point& point = points_[pixel];
     const glm::vec2 slope(point.slope);
     span.kind[i] = underWater ? ShadedAs::underside : ShadedAs::water;
     span.axial[i] = 1.0f / inverse[i];

@@ -3,6 +3,7 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba16f, binding = 0) writeonly uniform image2D surfaceImage;
 layout(r32f, binding = 1) writeonly uniform image2D distanceImage;
+layout(rgba8, binding = 2) writeonly uniform image2D coverImage;
 
 layout(std430, binding = 1) readonly buffer TallyBlock {
   uint largestHeight;
@@ -13,6 +14,10 @@ layout(std430, binding = 1) readonly buffer TallyBlock {
 uniform sampler2D waveMap;
 uniform sampler2D stamps;
 uniform bool stampsAreOn;
+uniform sampler2D extras;
+uniform bool extrasAreOn;
+uniform sampler2D coverMap;
+uniform bool coverIsOn;
 uniform vec3 forward, right, up;  // view axes; right and up as long as half the image plane
 uniform float nearDistance;
 
@@ -181,14 +186,19 @@ vec4 meet(Ray ray, inout float t, int row) {
   Place place = placeAt(point, row);
   bool dry = outlineIsOn && !isWater(point);
   vec3 waves = dry ? vec3(0.0) : wavesBetween(point, rows[row].band, rows[row + 1].band, place.share);
-  if (stampsAreOn && !dry) waves += textureLod(stamps, mapCoordinate(place, point), 0.0).xyz;
+  float missing = mix(rows[row].band.w, rows[row + 1].band.w, place.share);
+  if (stampsAreOn && !dry) {
+    vec4 stamp = textureLod(stamps, mapCoordinate(place, point), 0.0);
+    waves += stamp.xyz;
+    missing += stamp.w;
+  }
+  if (extrasAreOn && !dry) waves += textureLod(extras, mapCoordinate(place, point), 0.0).xyz;
   float off = aboveStillWater(ray, t) - waves.x;
   float rate = ray.sink + 2.0 * t * ray.bend - dot(waves.yz, ray.level);
   // Where the ray slides along a crest the step has no meaning; the map's crossing stands.
   float correction = -off / rate;
   float room = 0.5 * length(place.line.zw) / max(length(ray.level), 1e-6) + 1e-3 * t;
   if (abs(correction) < room) t += correction;
-  float missing = mix(rows[row].band.w, rows[row + 1].band.w, place.share);
   return vec4(waves.yz, missing, aboveStillWater(ray, t));
 }
 
@@ -223,4 +233,9 @@ void main() {
   surface.z += min((dot(alongX, alongX) + dot(alongY, alongY)) / 12.0, 0.05);
   imageStore(surfaceImage, pixel, surface);
   imageStore(distanceImage, pixel, vec4(t));
+  if (coverIsOn) {
+    vec2 point = t * ray.level;
+    imageStore(coverImage, pixel,
+               textureLod(coverMap, mapCoordinate(placeAt(point, hit.row), point), 0.0));
+  }
 }

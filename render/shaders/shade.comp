@@ -17,7 +17,8 @@ vec3 pixelRadiance(ivec2 pixel, vec3 ray) {
     return objectRadiance(relative, range, surface.xyz, texelFetch(albedoMap, pixel, 0).rgb);
   }
   if (cameraIsUnderWater) return undersideRadiance(relative, range, surface.xy);
-  return waterRadiance(relative, range, surface.xy, surface.z, surface.w);
+  return waterRadiance(relative, range, surface.xy, surface.z, surface.w,
+                       texelFetch(albedoMap, pixel, 0).rgb);
 }
 
 vec3 srgb(vec3 linear) {

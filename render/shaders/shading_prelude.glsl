@@ -15,13 +15,42 @@ uniform vec3 sunDirection, sunLight, skyLight;
 uniform float rootSunHeight, airExtinction, exposure;
 uniform vec2 levelSun, aerosolShape;
 uniform vec3 horizonRayleigh, horizonAerosol, horizonOften;
-uniform vec3 waterExtinction, deepWater, veil, foamLight, crestSky, crestSun;
+uniform vec3 waterExtinction, deepWater, veil, crestSky, crestSun;
 uniform float crestScale, rippleDeviation, hairSlope, rippleLastLevel;
 uniform vec2 rippleFromWorld[4];
 uniform vec2 rippleOrigin[2], rippleAlong[2];
 uniform float rippleTexelsPerMetre[2];
 uniform float rippleKept[8];
 
+uniform bool foamIsOn, rainIsOn;
+uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;
+uniform vec2 whitecapAlong, breakingRamp;
+uniform float foamTexelsPerMetre[3];
+uniform float whitecapPerHeight, whitecapMean, perTotalSlope, foamLastLevel;
+uniform vec2 foamAxis[3], foamOrigin[3];
+uniform float foamKept[8];
+uniform ivec2 rainCell, rainCode;  // column and row; count and seed
+uniform vec2 rainFoot;
+uniform float rainPart, rainDrops, rainMeanSquare;
+uniform int rainSlots;
+#define rainColumn uint(rainCell.x)
+#define rainRow uint(rainCell.y)
+#define rainCount uint(rainCode.x)
+#define rainSeed uint(rainCode.y)
+const float rainCellSize = 0.6f, rainLifetime = 0.9f, rainSpeed = 0.25f;
+const float rainWavelength = 0.055f, rainHalfWidth = 0.07f, rainHeight = 0.003f;
+
+#define Word uint
+#define word(same) (same)
+#define shiftedDown(bits, by) ((bits) >> (by))
+#define wordOf(whole) uint(int(whole))
+#define realOf(bits) float(bits)
+vec2 cosineAndSine(float turns) {
+  float angle = 6.2831853 * (turns - floor(turns + 0.5));
+  return vec2(cos(angle), sin(angle));
+}
+
+uniform sampler2D foamMap;       // numbers of [0, 1], equally frequent; by mip level
 uniform sampler2D dome;          // paraboloid sky, mip levels blur it
 uniform sampler2D rippleMap;     // slopes of unit mean square, by mip level
 uniform sampler2D fresnelTable;  // (reflectance, tilt, area) by √cosine and slope deviation
@@ -36,6 +65,13 @@ vec3 rippleMoments(vec2 coordinate, float level) {
   float here = rippleKept[int(whole)];
   float kept = mix(here, rippleKept[int(whole) + 1], clamp(level, 0.0, rippleLastLevel) - whole);
   return vec3(textureLod(rippleMap, coordinate, whole).xy * sqrt(kept / max(here, 1e-6)), kept);
+}
+
+vec2 foamTexel(vec2 coordinate, float level) {
+  float whole = floor(clamp(level, 0.0, foamLastLevel));
+  float here = foamKept[int(whole)];
+  float kept = mix(here, foamKept[int(whole) + 1], clamp(level, 0.0, foamLastLevel) - whole);
+  return vec2(textureLod(foamMap, coordinate, whole).x, kept);
 }
 
 vec3 roughFresnel(float rootCosine, float deviation) {

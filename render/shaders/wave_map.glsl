@@ -1,6 +1,8 @@
 // One texel of the wave map, a vertex of the grid: height, slope, mean-square slope left out.
 uniform sampler2D stamps;
 uniform bool stampsAreOn;
+uniform sampler2D extras;
+uniform bool extrasAreOn;
 
 vec4 waveTexel(ivec2 texel) {
   TwinRow row = rows[texel.y];
@@ -10,6 +12,7 @@ vec4 waveTexel(ivec2 texel) {
   vec3 waves = wavesAt(point, row.band);
   vec4 result = vec4(waves, row.band.w);
   if (stampsAreOn) result += texelFetch(stamps, texel, 0);
+  if (extrasAreOn) result += texelFetch(extras, texel, 0);
   return result;
 }
 

@@ -145,6 +145,32 @@ HWY_INLINE VU gather(const std::uint32_t* from, VI at) {
   return hn::GatherIndex(Words(), from, at);
 }
 HWY_INLINE Real gather(const float* from, VI at) { return hn::GatherIndex(Floats(), from, at); }
+/// An unsigned integer a pixel.
+struct Word {
+  VU v;
+  Word() = default;
+  HWY_INLINE Word(VU value) : v(value) {}
+};
+HWY_INLINE Word operator+(Word a, Word b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Word operator*(Word a, Word b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Word operator^(Word a, Word b) { return hn::Xor(a.v, b.v); }
+HWY_INLINE Word operator&(Word a, Word b) { return hn::And(a.v, b.v); }
+HWY_INLINE Word word(std::uint32_t same) { return hn::Set(Words(), same); }
+HWY_INLINE Word shiftedDown(Word a, int bits) { return hn::ShiftRightSame(a.v, bits); }
+/// Of whole numbers within ±2²⁴, as two's complement.
+HWY_INLINE Word wordOf(Real a) { return hn::BitCast(Words(), toInt(a)); }
+/// Below 2³¹.
+HWY_INLINE Real realOf(Word a) { return toReal(hn::BitCast(Ints(), a.v)); }
+/// (cos 2πt, sin 2πt), within 1e-6.
+HWY_INLINE Real2 cosineAndSine(Real turns) {
+  const Real t = turns - Real(hn::Round(turns.v)), q = t * t;
+  Real s = Real(3.058325f), c = Real(-0.397413859f);
+  for (const float term : {-9.53079904f, 16.7609745f, -16.2086703f, 6.2831826f}) s = s * q + term;
+  for (const float term : {1.58899844f, -3.65806692f, 5.11148042f, -3.73918126f, 0.999999493f}) {
+    c = c * q + term;
+  }
+  return {(Real(1.0f) - Real(16.0f) * q) * c, t * (Real(1.0f) - Real(4.0f) * q) * s};
+}
 /// Bits [shift, shift + count) of a word as a number.
 template <int kShift, int kCount>
 HWY_INLINE Real bitField(VU word) {

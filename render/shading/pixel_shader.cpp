@@ -101,9 +101,12 @@ HWY_INLINE Level levelOf(int side, Real level) {
 struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
+  const float* foam;  // null where foam is off
 
   HWY_INLINE PixelShader(const ShadingConstants& constants, const std::uint32_t* texels)
-      : ShadingConstants(constants), skyTexels(texels) {}
+      : ShadingConstants(constants),
+        skyTexels(texels),
+        foam(constants.foamIsOn ? foamTable().texels.data() : nullptr) {}
 
   HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
     const Level l = levelOf(SkyDome::side, level);
@@ -139,6 +142,20 @@ struct PixelShader : ShadingConstants {
     return {slope.x, slope.y, kept};
   }
 
+  /// The foam's pattern and the part of its variance that is left at a level.
+  HWY_INLINE Real2 foamTexel(Real2 coordinate, Real level) const {
+    const Real clamped = clamp(level, 0.0f, foamLastLevel), whole = floor(clamped);
+    const VI index = toInt(whole);
+    const Real here = gather(foamKept, index);
+    const Real kept = mix(here, gather(foamKept, hn::Add(index, setInt(1))), clamped - whole);
+    const Level l = levelOf(FoamTable::side, whole);
+    const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
+    const Corners c = wrappedCorners(place, l.side, l.start);
+    return {mix(mix(gather(foam, c.at[0]), gather(foam, c.at[1]), c.part.x),
+                mix(gather(foam, c.at[2]), gather(foam, c.at[3]), c.part.x), c.part.y),
+            kept};
+  }
+
   HWY_INLINE Corners fresnelCorners(Real rootCosine, Real deviation) const {
     constexpr int columns = ShadingTables::fresnelColumns, rows = ShadingTables::fresnelRows;
     const float rowsPerSlope = (rows - 1) / static_cast<float>(fresnelTableRoughest);
@@ -164,6 +181,7 @@ struct PixelShader : ShadingConstants {
 
 #define SHADER HWY_INLINE
 #define INOUT(type) type&
+#include "render/shading/rain_rings.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
 #undef SHADER
 #undef INOUT
@@ -190,11 +208,16 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
   const Real3 relative = ray * axial;
   const Real distance = rayLength * axial;
   const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
+  Real3 cover(0.0f, 0.0f, 0.0f);
+  if (span.hasCover) {
+    cover = Real3(hn::Load(f, span.cover[0] + i), hn::Load(f, span.cover[1] + i),
+                  hn::Load(f, span.cover[2] + i));
+  }
   if (anyOf(water)) {
     radiance = choose(water,
                       shader.waterRadiance(relative, distance, slope,
                                            hn::Load(f, span.missingSlope + i),
-                                           hn::Load(f, span.height + i)),
+                                           hn::Load(f, span.height + i), cover),
                       radiance);
   }
   if (anyOf(underside)) {

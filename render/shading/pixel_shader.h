@@ -30,6 +30,9 @@ struct PixelSpan {
   alignas(64) float axial[pixelsPerSpan];  ///< axial distance, m; any finite value for sky
   alignas(64) float slopeX[pixelsPerSpan], slopeY[pixelsPerSpan];
   alignas(64) float missingSlope[pixelsPerSpan], height[pixelsPerSpan];
+  /// Read only where `hasCover`: foam on the water, smoothed water, oil.
+  bool hasCover = false;
+  alignas(64) float cover[3][pixelsPerSpan];
   /// Read only where `hasObjects`: normal and reflectance.
   bool hasObjects = false;
   alignas(64) float normal[3][pixelsPerSpan], reflectance[3][pixelsPerSpan];

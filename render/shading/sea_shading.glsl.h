@@ -4,8 +4,8 @@
 // that are the same for all of them (members of ShadingConstants, uniforms in GLSL). In GLSL both
 // are the same types (shading_prelude.glsl); in C++ Real is a vector of pixels (lanes-inl.h) and
 // this text is the inside of a class. It keeps to what both understand: no swizzles, `choose`
-// instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, roughMirror and
-// roughArea.
+// instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
+// roughMirror and roughArea, and rain_rings.glsl.h before this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
 SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
@@ -71,9 +71,9 @@ SHADER Real3 skyRadianceSeen(Real3 direction) {
 
 // Adds ripples finer than the field to the slope; what the pixel cannot show of them is returned
 // as mean-square slope.
-SHADER Real addRipples(Real3 relative, Real distance, Real cosine, INOUT(Real2) slope) {
+SHADER Real addRipples(Real3 relative, Real footprint, Real calm, INOUT(Real2) slope) {
   Real left = Real(0.0f);
-  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(cosine, 0.02f));
+  Real deviation = rippleDeviation * calm;
   for (int i = 0; i < 2; ++i) {
     Real level = log2(max(footprint * rippleTexelsPerMetre[i], 1e-6f));
     Real3 moments = Real3(0.0f, 0.0f, 0.0f);
@@ -85,9 +85,9 @@ SHADER Real addRipples(Real3 relative, Real distance, Real cosine, INOUT(Real2) 
                               level);
     }
     vec2 along = rippleAlong[i];
-    slope = slope + rippleDeviation * Real2(along.x * moments.x - along.y * moments.y,
-                                            along.y * moments.x + along.x * moments.y);
-    left = left + rippleDeviation * rippleDeviation * max(1.0f - moments.z, 0.0f);
+    slope = slope + deviation * Real2(along.x * moments.x - along.y * moments.y,
+                                      along.y * moments.x + along.x * moments.y);
+    left = left + deviation * deviation * max(1.0f - moments.z, 0.0f);
   }
   return left;
 }
@@ -117,29 +117,76 @@ SHADER Real3 glitter(Real3 toViewer, Real2 slope, Real variance, Real rootCosine
   return mirrored;
 }
 
-// Light that comes back out of the water, and from whitecaps too small to be seen one by one, which
-// lie on crests. Thin crests let light through where the viewer looks at
-// them from the side, most towards the sun.
-SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height) {
+// Light that comes back out of the water: thin crests let light through where the viewer looks at
+// them from the side, most towards the sun; bubbles under foam scatter it.
+SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height, Real white, Real oil) {
   Real crest = clamp(0.5f + height * crestScale, 0.0f, 1.5f);
   Real tilt = -(slope.x * toViewer.x + slope.y * toViewer.y);
   Real face = clamp(0.2f + 1.6f * tilt, 0.0f, 1.0f) * (1.0f - toViewer.z);
   Real against = max(-(toViewer.x * sunDirection.x + toViewer.y * sunDirection.y), 0.0f);
   Real high = crest * crest;
-  return Real3(deepWater) + high * high * Real3(foamLight) +
-         high * face * (Real3(crestSky) + against * against * Real3(crestSun));
+  Real3 water = Real3(deepWater) + Real3(bubbleLight) * white +
+                high * face * (Real3(crestSky) + against * against * Real3(crestSun));
+  return mix(water, Real3(oilLight), oil);
 }
 
+// Part of a pixel's water that whitecaps cover: WhitecapRule (surface/whitecaps.h), and where the
+// grid no longer carries the slopes that it asks for, its mean.
+SHADER Real whitecaps(Real2 slope, Real missingSlope, Real height) {
+  Real kept = clamp(1.0f - missingSlope * perTotalSlope, 0.0f, 1.0f);
+  Real elevation = height * whitecapPerHeight;
+  Real ahead = -(slope.x * whitecapAlong.x + slope.y * whitecapAlong.y) *
+               inversesqrt(max(kept, 0.1f));
+  Real crests =
+      clamp((0.857f * elevation + 0.515f * ahead - breakingRamp.x) * breakingRamp.y, 0.0f, 1.0f) +
+      clamp((0.5f * elevation - 0.866f * ahead - oldRamp.x) * oldRamp.y, 0.0f, 1.0f) * oldRamp.z;
+  crests = mix(Real(whitecapMean), crests, smoothstep(Real(0.03f), Real(0.3f), kept));
+  Real steep = (sqrt(dot(slope, slope)) - 0.55f) * 3.3333333f;
+  return clamp(max(crests, steep), 0.0f, 1.0f);
+}
+
+// How opaque foam of a cover is in a pixel: patches and lace by three layers of a pattern whose
+// numbers are equally frequent, so that on average it is as white as the cover says; cover itself
+// where the pattern is too fine to be seen.
+SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
+  Real sum = Real(0.0f);
+  Real kept = Real(0.0f);
+  for (int i = 0; i < 3; ++i) {
+    Real level = log2(max(footprint * foamTexelsPerMetre[i], 1e-6f));
+    Real2 number = Real2(0.5f, 0.0f);
+    if (anyOf(level < foamLastLevel)) {
+      vec2 axis = foamAxis[i];
+      number = foamTexel(Real2(foamOrigin[i].x + axis.x * relative.x + axis.y * relative.y,
+                               foamOrigin[i].y - axis.y * relative.x + axis.x * relative.y),
+                         level);
+    }
+    sum = sum + number.x;
+    kept = kept + number.y * 0.33333333f;
+  }
+  // The sum of three is spread as Irwin and Hall say; this makes it even again.
+  Real over = 3.0f - sum;
+  Real middle = sum * (sum * (9.0f - 2.0f * sum) - 9.0f) + 3.0f;
+  Real outer = choose(sum < 1.5f, sum * sum * sum, 6.0f - over * over * over);
+  Real even = choose(abs(sum - 1.5f) < 0.5f, middle, outer) * 0.16666667f;
+  // A ramp of width ½ has the mean of the cover for this threshold.
+  Real threshold = choose(cover < 0.25f, sqrt(cover), cover + 0.25f);
+  Real lace = clamp((even - 1.0f + threshold) * 2.0f, 0.0f, 1.0f);
+  return mix(cover, lace, kept);
+}
+
+// `cover`: foam that lies on the water, smoothed water, oil; each in [0, 1].
 SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real missingSlope,
-                           Real height) {
+                           Real height, Real3 cover) {
   Real3 toViewer = -relative / distance;
   Real2 slope = waveSlope;
   Real upright = inversesqrt(1.0f + dot(slope, slope));
   Real first = upright * (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
-  Real meanSquare = missingSlope + hairSlope;
-  if (ripplesAreOn) {
-    meanSquare = meanSquare + addRipples(relative, distance, max(first, 0.0f), slope);
-  }
+  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(first, 0.02f));
+  // Smooth water lacks short waves, in slopes as in samples.
+  Real calm = (1.0f - 0.9f * cover.y) * (1.0f - 0.9f * cover.z);
+  Real meanSquare = (missingSlope + hairSlope) * calm * calm;
+  if (ripplesAreOn) meanSquare = meanSquare + addRipples(relative, footprint, calm, slope);
+  if (rainIsOn) meanSquare = meanSquare + addRain(relative, footprint, slope);
   // Where the mean slope faces away, what is seen are facets that do not.
   Real2 towards = levelDirection(toViewer);
   Real facing = toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y;
@@ -159,8 +206,21 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   mirrored.z = abs(mirrored.z);  // a ray that starts downwards is mirrored once more
   Real3 sky = blurredSky(mirrored, blurLevel(deviation));
 
-  Real3 colour = mix(upwelling(toViewer, slope, height), sky, rough.x);
+  Real white = Real(0.0f);
+  if (foamIsOn) {
+    white = whitecaps(waveSlope, missingSlope, height);
+    white = white + cover.x * (1.0f - white);
+  }
+  // A film of oil reflects half as much again.
+  Real mirror = rough.x + 0.5f * cover.z * rough.x * (1.0f - rough.x);
+  Real3 colour = mix(upwelling(toViewer, slope, height, white, cover.z), sky, mirror);
   if (sunIsOn) colour = colour + glitter(toViewer, slope, variance, rootCosine);
+  if (anyOf(white > 0.0f)) {
+    Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
+               upright;
+    colour = mix(colour, Real3(foamSky) + Real3(foamSun) * lit,
+                 foamOpacity(relative, footprint, white));
+  }
   return hazed(colour, -toViewer, distance);
 }
 

@@ -2,23 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "render/band_limit.h"
 #include "render/render_technique.h"
 #include "render/ripples.h"
 #include "render/shading/shading_tables.h"
 #include "render/shading/sky_dome.h"
+#include "surface/angles.h"
 #include "surface/constants.h"
+#include "surface/field/lattice_hash.h"
+#include "surface/whitecaps.h"
 
 namespace seaway::render {
 namespace {
+
+static_assert(ShadingConstants::rainCellSize == static_cast<float>(Rain::cell) &&
+              ShadingConstants::rainLifetime == static_cast<float>(Rain::lifetime) &&
+              ShadingConstants::rainSpeed == static_cast<float>(Rain::speed) &&
+              ShadingConstants::rainWavelength == static_cast<float>(Rain::wavelength) &&
+              ShadingConstants::rainHalfWidth == static_cast<float>(Rain::halfWidth) &&
+              ShadingConstants::rainHeight == static_cast<float>(Rain::ringHeight));
 
 constexpr float floatPi = static_cast<float>(pi);
 constexpr glm::vec3 plainSky(1.2f);  // where the sky is switched off
 constexpr glm::vec3 deepReflectance(0.0050f, 0.0300f, 0.0520f);  // of light below the surface
 constexpr glm::vec3 waterExtinction(0.40f, 0.075f, 0.055f);      // 1/m
 constexpr glm::vec3 crestTransmission(0.020f, 0.110f, 0.095f);
+constexpr glm::vec3 foamReflectance(0.52f, 0.55f, 0.56f);        // of white water, not dense
+constexpr glm::vec3 bubbleReflectance(0.010f, 0.055f, 0.062f);
+constexpr glm::vec3 oilReflectance(0.010f, 0.008f, 0.006f);
 constexpr double visibility = 28e3;  // m, at 2 % contrast
 
 void setCamera(ShadingConstants& c, const Camera& camera) {
@@ -80,15 +95,58 @@ void setWater(ShadingConstants& c, const View& view) {
   c.deepWater = deepReflectance * onSea;
   c.veil = 1.6f * c.deepWater;
   if (!view.water) return;
-  // Cover by Monahan & O'Muircheartaigh 1980, reflectance by Koepke 1984, redder light lost in the
-  // bubbles' water; crest⁴ of the shading has a mean of 0.168 where heights are Gaussian.
-  const double cover = std::min(3.84e-6 * std::pow(view.light.windSpeed, 3.41), 1.0);
-  c.foamLight = static_cast<float>(0.22 / 0.168 * cover) * glm::vec3(0.6f, 0.9f, 1.0f) * onSea;
+  c.bubbleLight = bubbleReflectance * onSea;
+  c.oilLight = oilReflectance * onSea;
   const double crestHeight = 0.5 * view.water->waves().significantWaveHeight();
   c.crestScale = static_cast<float>(0.5 / std::max(crestHeight, 0.02));
   const glm::vec3 through = crestTransmission * static_cast<float>(std::min(crestHeight, 1.0));
   c.crestSky = through * 0.08f * c.skyLight;
   c.crestSun = through * 0.06f * c.sunLight;
+}
+
+void setFoam(ShadingConstants& c, const View& view) {
+  c.foamIsOn = true;
+  c.foamSky = foamReflectance * c.skyLight;
+  c.foamSun = foamReflectance * c.sunLight / floatPi;
+  const WaveField& waves = view.water->waves();
+  const WhitecapRule rule(waves, view.light.windSpeed);
+  c.whitecapAlong = glm::vec2(rule.toward * rule.perSlope);
+  c.whitecapPerHeight = static_cast<float>(rule.perHeight);
+  c.whitecapMean = static_cast<float>(rule.mean);
+  const double total = BandLimit(waves).totalSlope();
+  c.perTotalSlope = total > 0.0 ? static_cast<float>(1.0 / total) : 0.0f;
+  c.breakingRamp = {rule.breaking.threshold, rule.breaking.most / rule.breaking.width};
+  c.oldRamp = {rule.old.threshold, 1.0 / rule.old.width, rule.old.most};
+  c.foamLastLevel = FoamTable::levels - 1.0f;
+  std::copy(std::begin(foamTable().kept), std::end(foamTable().kept), c.foamKept);
+  // Sizes and angles without a common measure: the three repeat together nowhere in view. Foam is
+  // carried along by the current.
+  const double sides[3] = {61.0, 9.7, 2.37}, angles[3] = {0.85, 0.35, 1.93};
+  const glm::dvec2 foot =
+      glm::dvec2(view.camera.position) - waves.settings().current * view.time;
+  for (int layer = 0; layer < 3; ++layer) {
+    const glm::dvec2 axis = unitVector(angles[layer]) / sides[layer];
+    c.foamAxis[layer] = glm::vec2(axis);
+    c.foamOrigin[layer] = glm::vec2(glm::fract(
+        glm::dvec2(axis.x * foot.x + axis.y * foot.y, axis.x * foot.y - axis.y * foot.x)));
+    c.foamTexelsPerMetre[layer] = static_cast<float>(FoamTable::side / sides[layer]);
+  }
+}
+
+void setRain(ShadingConstants& c, const View& view, const Rain& rain) {
+  c.rainIsOn = true;
+  const glm::dvec2 foot(view.camera.position);
+  const glm::dvec2 cell = glm::floor(foot / Rain::cell);
+  c.rainColumn = cellBits(cell.x);
+  c.rainRow = cellBits(cell.y);
+  c.rainFoot = glm::vec2(foot - cell * Rain::cell);
+  const double turns = view.time / Rain::lifetime;
+  c.rainCount = cellBits(std::floor(turns));
+  c.rainPart = static_cast<float>(turns - std::floor(turns));
+  c.rainSeed = rain.seed;
+  c.rainDrops = static_cast<float>(rain.drops);
+  c.rainSlots = static_cast<int>(std::ceil(rain.drops));
+  c.rainMeanSquare = static_cast<float>(rain.meanSquareSlope());
 }
 
 }  // namespace
@@ -107,6 +165,8 @@ ShadingConstants shadingConstants(const View& view, const Lighting& lighting) {
   setLight(c, lighting);
   setWater(c, view);
   if (lighting.waterIsOn) setRipples(c, view);
+  if (lighting.foamIsOn) setFoam(c, view);
+  if (lighting.rainIsOn) setRain(c, view, view.water->extras().events->rain());
   return c;
 }
 

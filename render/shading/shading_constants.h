@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -31,7 +32,6 @@ struct ShadingConstants {
   glm::vec3 waterExtinction{0.0f};  ///< 1/m
   glm::vec3 deepWater{0.0f};        ///< radiance that comes up from deep water
   glm::vec3 veil{0.0f};             ///< radiance of water itself, seen from inside
-  glm::vec3 foamLight{0.0f};        ///< radiance of whitecaps, spread over the sea as crest⁴ is
   glm::vec3 crestSky{0.0f}, crestSun{0.0f};  ///< light through crests
   float crestScale = 0.0f;                   ///< 1/m
   bool ripplesAreOn = false;
@@ -43,10 +43,34 @@ struct ShadingConstants {
   glm::vec2 rippleAlong[2]{};      ///< unit vector of each patch's first axis
   float rippleTexelsPerMetre[2]{};
   float rippleKept[8]{};  ///< mean-square slope left in each mip level
+  // foam (WhitecapRule) and oil
+  bool foamIsOn = false;
+  glm::vec3 foamSky{0.0f}, foamSun{0.0f};  ///< light of foam under the sky, facing the sun
+  glm::vec3 bubbleLight{0.0f};             ///< of bubbles under it
+  glm::vec3 oilLight{0.0f};                ///< that comes up through oil
+  glm::vec2 whitecapAlong{0.0f};           ///< direction of the waves over σ of slope
+  float whitecapPerHeight = 0.0f, whitecapMean = 0.0f;
+  float perTotalSlope = 0.0f;        ///< 1 / mean-square slope of the field
+  glm::vec2 breakingRamp{9e9f, 1.0f};  ///< threshold, 1/width
+  glm::vec3 oldRamp{9e9f, 1.0f, 0.0f};  ///< threshold, 1/width, most
+  glm::vec2 foamAxis[3]{}, foamOrigin[3]{};  ///< pattern from metres: first axis; the foot's place
+  float foamTexelsPerMetre[3]{};
+  float foamLastLevel = 0.0f;  ///< mip level from which on nothing of the pattern is left
+  float foamKept[8]{};         ///< part of the pattern's variance that is left in each
+  // rain (Rain)
+  bool rainIsOn = false;
+  std::uint32_t rainColumn = 0, rainRow = 0;  ///< cell that the camera's foot is in
+  std::uint32_t rainCount = 0, rainSeed = 0;
+  glm::vec2 rainFoot{0.0f};  ///< the foot from its cell's corner, m
+  float rainPart = 0.0f, rainDrops = 0.0f, rainMeanSquare = 0.0f;
+  int rainSlots = 0;
+  static constexpr float rainCellSize = 0.6f, rainLifetime = 0.9f, rainSpeed = 0.25f;
+  static constexpr float rainWavelength = 0.055f, rainHalfWidth = 0.07f, rainHeight = 0.003f;
 };
 
 /// What is lit in a frame.
 struct Lighting {
+  bool foamIsOn = false, rainIsOn = false;
   glm::vec3 sunDirection{0.0f, 0.0f, 1.0f};
   bool sunIsOn = false;
   const SkyDome* sky = nullptr;  ///< null: the sky is switched off, a plain grey stands for it

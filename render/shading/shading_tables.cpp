@@ -9,6 +9,7 @@
 
 #include "render/fresnel.h"
 #include "render/ripples.h"
+#include "render/shading/foam_pattern.h"
 
 namespace seaway::render {
 namespace {
@@ -51,7 +52,35 @@ void addRipples(ShadingTables& tables) {
   }
 }
 
+FoamTable makeFoamTable() {
+  FoamTable table;
+  std::vector<float> image = foamPattern(FoamTable::side);
+  int side = FoamTable::side;
+  for (int level = 0; level < FoamTable::levels; ++level, side /= 2) {
+    double squares = 0.0;
+    for (const float value : image) squares += (value - 0.5) * (value - 0.5);
+    table.texels.insert(table.texels.end(), image.begin(), image.end());
+    const bool last = level + 1 == FoamTable::levels;
+    table.kept[level] =
+        last ? 0.0f : static_cast<float>(12.0 * squares / static_cast<double>(image.size()));
+    std::vector<float> half;
+    for (int y = 0; y < side; y += 2) {
+      for (int x = 0; x < side; x += 2) {
+        const float* at = &image[static_cast<std::size_t>(y) * side + x];
+        half.push_back(0.25f * (at[0] + at[1] + at[side] + at[side + 1]));
+      }
+    }
+    image.swap(half);
+  }
+  return table;
+}
+
 }  // namespace
+
+const FoamTable& foamTable() {
+  static const FoamTable table = makeFoamTable();
+  return table;
+}
 
 const ShadingTables& shadingTables() {
   static const ShadingTables tables = [] {

@@ -31,6 +31,15 @@ struct ShadingTables {
 
 const ShadingTables& shadingTables();
 
+/// What foam's shading looks up. The same for all scenes: made when foam is first shaded.
+struct FoamTable {
+  static constexpr int side = 256, levels = 6;
+  std::vector<float> texels;  ///< foamPattern and its mip levels, one after the other
+  float kept[levels] = {};    ///< part of the pattern's variance that is left in each
+};
+
+const FoamTable& foamTable();
+
 /// Slope that a packed texel stands for.
 glm::vec2 unpackRipple(std::uint32_t texel);
 

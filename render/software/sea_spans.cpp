@@ -19,7 +19,9 @@ namespace seaway::render {
 struct SpanInput {
   const float* inverse;
   const std::uint32_t* packed;
-  const float* missing;
+  const float* missing;        // by row
+  const float* missingWakes;   // by vertex; null: none
+  const std::uint32_t* cover;  // by vertex; null: none
   const float* rowStart;
   const float* rowStep;
   glm::ivec2 size;
@@ -88,7 +90,13 @@ struct Slope {
   Real2 mean;
   Real withinPixel;  // mean square of what changes within a pixel
   Real missing;
+  Real3 cover;
 };
+
+HWY_INLINE Real3 coverOf(VU word) {
+  return Real3(bitField<0, 8>(word), bitField<8, 8>(word), bitField<16, 8>(word)) *
+         Real(1.0f / 255.0f);
+}
 
 HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footprint,
                          Real footprintAhead) {
@@ -106,14 +114,29 @@ HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footp
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
   const Real missingNear = gather(in.missing, place.near);
   const Real missingFar = gather(in.missing, hn::Add(place.near, one));
+  Real missing = mix(missingNear, missingFar, v);
+  if (in.missingWakes) {
+    const Real nearer =
+        mix(gather(in.missingWakes, at), gather(in.missingWakes, hn::Add(at, one)), u);
+    const Real farther =
+        mix(gather(in.missingWakes, beyond), gather(in.missingWakes, hn::Add(beyond, one)), u);
+    missing = missing + mix(nearer, farther, v);
+  }
+  Real3 cover(0.0f, 0.0f, 0.0f);
+  if (in.cover) {
+    const auto of = [&](VI index) HWY_ATTR { return coverOf(gather(in.cover, index)); };
+    cover = mix(mix(of(at), of(hn::Add(at, one)), u),
+                mix(of(beyond), of(hn::Add(beyond, one)), u), v);
+  }
   return {low + (high - low) * v,
-          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f),
-          mix(missingNear, missingFar, v)};
+          min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f), missing,
+          cover};
 }
 
 void FillSpan(const SpanInput& in, PixelSpan& span) {
   const Floats f;
   const int lanes = static_cast<int>(laneCount());
+  span.hasCover = in.cover != nullptr;
   for (int i = 0; i < span.count; i += lanes) {
     const Real inverse = hn::LoadU(f, in.inverse + i);
     const Mask water = inverse > 0.0f;
@@ -146,6 +169,10 @@ void FillSpan(const SpanInput& in, PixelSpan& span) {
     hn::Store(slope.mean.y.v, f, span.slopeY + i);
     hn::Store((slope.missing + slope.withinPixel).v, f, span.missingSlope + i);
     hn::Store(height.v, f, span.height + i);
+    if (!in.cover) continue;
+    hn::Store(slope.cover.x.v, f, span.cover[0] + i);
+    hn::Store(slope.cover.y.v, f, span.cover[1] + i);
+    hn::Store(slope.cover.z.v, f, span.cover[2] + i);
   }
 }
 
@@ -163,6 +190,8 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   gridFromPlane_ = layout.fromPlane;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
+  cover_ = grid.cover().empty() ? nullptr : grid.cover().data();
+  missingWakes_ = grid.missingWakes().empty() ? nullptr : grid.missingWakes().data();
   rowStart_.resize(size_.y);
   rowStep_.resize(size_.y);
   const glm::dvec2 right(gridFromPlane_.azimuth.y, -gridFromPlane_.azimuth.x);
@@ -191,6 +220,8 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
+                        missingWakes_,
+                        cover_,
                         rowStart_.data(),
                         rowStep_.data(),
                         size_,

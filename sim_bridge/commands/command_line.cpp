@@ -13,11 +13,13 @@
 #include "sim_bridge/commands/explain.h"
 #include "sim_bridge/commands/fit.h"
 #include "sim_bridge/commands/hull.h"
+#include "sim_bridge/commands/layer.h"
 #include "sim_bridge/commands/query.h"
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
 #include "sim_bridge/commands/sail.h"
 #include "sim_bridge/commands/schema_command.h"
+#include "sim_bridge/commands/serve.h"
 #include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
 #include "sim_bridge/scene/schema.h"
@@ -28,9 +30,9 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
-    addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
-    addHullCommand,    addSailCommand,  addSchemaCommand,
+    addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
+    addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
+    addHullCommand, addSailCommand,  addSchemaCommand,
 };
 
 constexpr int failed = 1;

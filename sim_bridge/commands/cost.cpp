@@ -75,7 +75,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
   {
-    Progress progress("cost", 6);
+    Progress progress("cost", 8);
     studies.push_back(studyQueryOctaves(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
@@ -83,20 +83,24 @@ int runCost(const CostOptions& options, std::ostream& out) {
     studies.push_back(studyFitOctaves(studyOptions));
     for (Study& study : studyHullLoads(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(3);
+    for (Study& study : studyLayers(studyOptions)) studies.push_back(std::move(study));
+    progress.update(4);
     if (!scene.cameras.empty()) {
       for (Study& study : studyImageGrid(scene, sea, studyOptions)) {
         studies.push_back(std::move(study));
       }
     }
-    progress.update(4);
-    studies.push_back(studyVertexEfficiency(sea, studyOptions));
     progress.update(5);
+    studies.push_back(studyVertexEfficiency(sea, studyOptions));
+    progress.update(6);
     if (!scene.cameras.empty()) {
       for (Study& study : studySwimming(scene, sea, studyOptions)) {
         studies.push_back(std::move(study));
       }
     }
-    progress.update(6);
+    progress.update(7);
+    for (Study& study : studyWakes(scene, studyOptions)) studies.push_back(std::move(study));
+    progress.update(8);
   }
   const nlohmann::ordered_json json = asJson(studies, options.scene);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv"),

@@ -19,6 +19,7 @@
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene_view.h"
 #include "surface/input_error.h"
 #include "surface/parallel_sampling.h"
 #include "surface/water_kinematics.h"
@@ -121,7 +122,7 @@ class Asker {
       }
     }
     motions_.resize(below_.size());
-    sampleKinematics(now.waves(), depths_, motions_, options_);
+    sampleKinematics(now, depths_, motions_, options_);
     for (std::size_t i = 0; i < below_.size(); ++i) {
       Answer& answer = answers[below_[i]];
       answer.sample.orbitalVelocity = motions_[i].velocity;
@@ -139,8 +140,45 @@ class Asker {
   std::vector<WaterKinematics> motions_;
 };
 
+/// The surface at rising times: with vessels' wakes where points are within their reach.
+class WakenedSea {
+ public:
+  WakenedSea(const Scene& scene, const Sea& sea) : scene_(scene), sea_(sea) {}
+
+  const WaterSurface& at(double t, const std::vector<Point>& points,
+                         std::span<const std::size_t> rows) {
+    std::vector<WakeListener> places;
+    for (const std::size_t row : rows) places.push_back({points[row].position, 0.0, 0});
+    if (!wakesReach(scene_, sea_, t, places)) return withoutWakes(t);
+    if (simulation_) {
+      simulation_ = simulation_->movedTo(t);
+    } else {
+      simulation_ = replayWithProgress(scene_, sea_, t);
+    }
+    simulation_->attend({.cameras = {}, .places = std::move(places)});
+    return simulation_->surface();
+  }
+
+ private:
+  /// What lies on the water and ripples it is there all the same.
+  const WaterSurface& withoutWakes(double t) {
+    if (!detail_) detail_.emplace(scene_, sea_);
+    detail_->advance(t);
+    if (!detail_->detail()) return sea_.surface;
+    surface_ = sea_.surface;
+    surface_->setDetail(detail_->detail());
+    return *surface_;
+  }
+
+  const Scene& scene_;
+  const Sea& sea_;
+  std::optional<Simulation> simulation_;
+  std::optional<SceneDetail> detail_;
+  std::optional<WaterSurface> surface_;
+};
+
 /// The sea at the points; those of one time go through it together.
-std::vector<Answer> askAll(const std::vector<Point>& points, const WaterSurface& surface,
+std::vector<Answer> askAll(const std::vector<Point>& points, const Scene& scene, const Sea& sea,
                            const SampleOptions& options) {
   std::map<double, std::vector<std::size_t>> rowsAt;
   std::vector<Answer> answers(points.size());
@@ -155,8 +193,9 @@ std::vector<Answer> askAll(const std::vector<Point>& points, const WaterSurface&
   Progress progress("points", points.size());
   std::size_t done = 0;
   Asker asker(points, options);
+  WakenedSea wakened(scene, sea);
   for (const auto& [time, rows] : rowsAt) {
-    const SurfaceAtTime now = surface.at(time);
+    const SurfaceAtTime now = wakened.at(time, points, rows).at(time);
     for (std::size_t first = 0; first < rows.size(); first += pointsPerCall) {
       const std::size_t count = std::min(pointsPerCall, rows.size() - first);
       asker.ask(std::span(rows).subspan(first, count), now, answers);
@@ -301,7 +340,7 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
   if (options.ellipsoidal && !sea.level.hasGeoid()) {
     spdlog::warn("no geoid data: the geoid is taken to be the ellipsoid in ellipsoidal_height_m");
   }
-  std::vector<Answer> answers = askAll(points, sea.surface,
+  std::vector<Answer> answers = askAll(points, scene, sea,
                                        {.tolerance = options.tolerance,
                                         .shortestWavelength = options.cutoff,
                                         .orbitalVelocity = options.orbital || options.pressure});

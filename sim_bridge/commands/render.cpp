@@ -102,7 +102,8 @@ Request requestFrom(const RenderOptions& options) {
 Drawn draw(const RenderOptions& options, const Request& request) {
   const auto technique = render::makeTechnique(request.choice);
   const Sea sea = buildSea(request.scene);
-  const Simulation simulation = replayWithProgress(request.scene, sea, options.time);
+  Simulation simulation = replayWithProgress(request.scene, sea, options.time);
+  simulation.attend({.cameras = {request.camera}, .places = {}});
   SceneView sceneView(request.scene);
   EffectLedger ledger(request.scene.effects);
   render::View view = sceneView.view(simulation, request.camera, request.size, ledger);

@@ -94,6 +94,7 @@ void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
                  const RunFolder& folder, RunSummary& summary) {
   Telemetry telemetry(folder.path(), scene);
   Simulation simulation(scene, sea);
+  if (frameCount(scene) > 0) simulation.attend({.cameras = scene.cameras, .places = {}});
   telemetry.write(simulation);
   Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim_bridge/scene/place.h"
+#include "sim_bridge/scene/scene_events.h"
 #include "sim_bridge/scene/sea_state_file.h"
 #include "sim_bridge/scene/vessel_model.h"
 #include "surface/effects.h"
@@ -20,11 +22,6 @@
 /// A scene as its file gives it, checked. Angles are compass degrees as in the file (their names
 /// say so); whoever uses them converts. Initial values are the defaults of the schema page.
 namespace seaway::bridge {
-
-struct Place {
-  double latitude_deg = 0.0;
-  double longitude_deg = 0.0;
-};
 
 /// Flat water.
 struct CalmState {};
@@ -138,9 +135,18 @@ struct LightSettings {
   Wind wind;
 };
 
+/// Windows of the water in which vessels' waves run.
+struct WakeAccuracy {
+  double cell = 0.0;    ///< m; 0: by the length of the hull
+  double window = 0.0;  ///< m; 0: by the length of the hull
+  int most = 8;
+};
+
 struct Accuracy {
   double motionTolerance = 0.0;  ///< height that vessels' samples may leave out, m (1 σ)
   glm::ivec2 grid{256, 256};     ///< vertices of the projected grid, across and along
+  LayerAccuracy layers;
+  WakeAccuracy wakes;
 };
 
 struct RunSettings {
@@ -155,6 +161,10 @@ struct Scene {
   SeaSettings sea;
   std::vector<SceneVessel> vessels;
   std::vector<SceneCamera> cameras;
+  std::vector<SceneSplash> splashes;
+  SceneRain rain;
+  std::vector<SceneRipples> ripples;
+  std::vector<SceneLayer> layers;
   LightSettings light;
   EffectSettings effects{};
   Accuracy accuracy;

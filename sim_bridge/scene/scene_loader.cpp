@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_bridge/scene/outline_file.h"
+#include "sim_bridge/scene_detail.h"
 #include "surface/geodesy.h"
 #include "surface/input_error.h"
 
@@ -130,6 +131,46 @@ void checkCameras(const Scene& scene, const YamlValue& document, const Geodesy& 
   }
 }
 
+void checkEvents(const Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const auto requireNear = [&](const char* list, std::size_t i, const Place& place) {
+    const YamlValue& value = document.find(list)->values[i];
+    requireInGeodesicRange(childOf(value, "place"), geodesy, place.latitude_deg,
+                           place.longitude_deg);
+  };
+  for (std::size_t i = 0; i < scene.splashes.size(); ++i) {
+    requireNear("splashes", i, scene.splashes[i].place);
+  }
+  const auto limit = [&](const char* list, std::size_t count, std::size_t most) {
+    if (count <= most) return;
+    document.find(list)->fail("has " + std::to_string(count) + " entries; " +
+                              std::to_string(most) + " at the most");
+  };
+  limit("splashes", scene.splashes.size(), SurfaceEvents::mostSplashes);
+  limit("ripples", scene.ripples.size(), 16);
+  for (std::size_t i = 0; i < scene.ripples.size(); ++i) {
+    requireNear("ripples", i, scene.ripples[i].place);
+    try {
+      RipplePool pool(rippleSource(scene.ripples[i], geodesy));
+    } catch (const InputError& fault) {
+      document.find("ripples")->values[i].fail(fault.what());
+    }
+  }
+}
+
+void resolveLayers(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+    SceneLayer& layer = scene.layers[i];
+    const YamlValue& value = document.find("layers")->values[i];
+    layer.line = value.line;
+    if (layer.place) {
+      requireInGeodesicRange(childOf(value, "place"), geodesy, layer.place->latitude_deg,
+                             layer.place->longitude_deg);
+    } else {
+      layer.file = referredFile(*value.find("file"), scene.file);
+    }
+  }
+}
+
 }  // namespace
 
 Scene loadScene(const fs::path& file) {
@@ -143,6 +184,8 @@ Scene loadScene(const fs::path& file) {
   resolveOutline(scene, document, geodesy);
   resolveVessels(scene, document, geodesy);
   checkCameras(scene, document, geodesy);
+  checkEvents(scene, document, geodesy);
+  resolveLayers(scene, document, geodesy);
   return scene;
 }
 

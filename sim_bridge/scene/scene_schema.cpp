@@ -136,11 +136,24 @@ Mapping<EffectSettings> effectsSchema() {
 }
 
 Mapping<Accuracy> accuracySchema() {
+  using W = WakeAccuracy;
+  const Mapping<W> wakes({
+      number("cell_m", &W::cell, "m", Range::within(0.0, 100.0),
+             "cells near the hull, which carry waves from four cells up; 0: 0.5 m, twice as much "
+             "for hulls above 64 m, and so on"),
+      number("window_m", &W::window, "m", Range::within(0.0, 1e5),
+             "side of the square around a vessel that its waves are followed in, rounded up to "
+             "2ⁿ cells; 0: 2048 cell_m"),
+      integer("most", &W::most, 0, 1000, "wakes that run at once: those nearest to who is near"),
+  });
   return Mapping<Accuracy>({
       number("motion_tolerance_m", &Accuracy::motionTolerance, "m", Range::atLeast(0.0),
              "height that vessels' samples of the sea may leave out, one standard deviation"),
       vector("grid", &Accuracy::grid, "", Range::within(2, 4096),
              "vertices of the projected grid, across and along"),
+      mapping("layers", &Accuracy::layers, layerAccuracySchema(),
+              "foam, smoothed water and oil"),
+      mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
   });
 }
 
@@ -162,6 +175,11 @@ const Mapping<Scene>& sceneSchema() {
       mapping("sea", &Scene::sea, seaSchema(), "the water and where it is", Need::required),
       list("vessels", &Scene::vessels, vesselSchema(), "what floats"),
       list("cameras", &Scene::cameras, cameraSchema(), "who looks"),
+      list("splashes", &Scene::splashes, splashSchema(placeSchema()),
+           "what falls into the water or bursts in it"),
+      mapping("rain", &Scene::rain, rainSchema(), "rings of raindrops; without it none falls"),
+      list("ripples", &Scene::ripples, ripplesSchema(placeSchema()), "what bobs in the water"),
+      list("layers", &Scene::layers, layerSchema(placeSchema()), "what lies on the water"),
       mapping("light", &Scene::light, lightSchema(), "sun and wind"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sim_bridge/scene/parametric_spectrum.h"
+#include "sim_bridge/scene_detail.h"
 #include "surface/angles.h"
 #include "surface/fit/octave_directions.h"
 #include "surface/fit/octave_fit.h"
@@ -95,11 +96,13 @@ Sea buildSea(const Scene& scene) {
       surface.setOutline(sea.outline);
     }
     const WaveField& field = surface.waves();
+    const Geodesy geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0});
+    surface.setEvents(sceneEvents(scene, geodesy, {field.settings().current, sea.depth}));
     std::vector<BlockedOctave> blocked =
         blockedOctaves(field.octaves(), sea.depth, field.settings().current);
     warnOf(blocked, scene);
-    return {Geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0}),
-            SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked, std::move(blocked)};
+    return {geodesy, SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked,
+            std::move(blocked)};
   } catch (const InputError& fault) {
     throw InputError(scene.file.string(), sea.stateLine,
                      std::string("key 'sea.state': ") + fault.what());

@@ -56,6 +56,20 @@ Mapping<VesselDrawing> drawingSchema() {
   });
 }
 
+Mapping<VesselWake> wakeSchema() {
+  return Mapping<VesselWake>({
+      choice("form", &VesselWake::form,
+             {{"drawn", WakeForm::drawn}, {"box", WakeForm::box}, {"wigley", WakeForm::wigley}},
+             "hull that makes the waves: as drawn below the water, the box, or Wigley's parabolic "
+             "hull of the same length, beam and draft"),
+      number("strength", &VesselWake::strength, "1", Range::within(0.0, 2.0),
+             "part of the waves that linear theory gives such a hull; less for one that planes"),
+      choice("felt_by_itself", &VesselWake::feltByItself, {{"true", true}, {"false", false}},
+             "whether the hull rides its own waves too; their resistance is in its prescribed "
+             "speed"),
+  });
+}
+
 }  // namespace
 
 const Mapping<VesselModel>& vesselModelSchema() {
@@ -67,6 +81,7 @@ const Mapping<VesselModel>& vesselModelSchema() {
               "the hull that `seaway sail` takes loads on"),
       mapping("propeller", &VesselModel::propeller, propellerSchema(), "for `seaway sail`"),
       mapping("rudder", &VesselModel::rudder, rudderSchema(), "for `seaway sail`"),
+      mapping("wake", &VesselModel::wake, wakeSchema(), "the waves it makes under way"),
   });
   return schema;
 }

@@ -22,6 +22,15 @@ struct VesselDrawing {
   glm::vec3 houseColour{0.80f, 0.80f, 0.78f};
 };
 
+/// The hull that makes a vessel's waves.
+enum class WakeForm { drawn, box, wigley };
+
+struct VesselWake {
+  WakeForm form = WakeForm::drawn;
+  double strength = 1.0;    ///< part of the waves that linear theory gives such a hull
+  bool feltByItself = false;  ///< else its hull does not ride its own waves
+};
+
 /// A vessel file (`configs/vessels/*.yaml`).
 struct VesselModel {
   std::string description;
@@ -30,6 +39,7 @@ struct VesselModel {
   VesselHullMesh mesh;
   Propeller propeller;  ///< diameter 0: none
   Rudder rudder;        ///< area 0: none
+  VesselWake wake;
 };
 
 /// Keys of a vessel file.

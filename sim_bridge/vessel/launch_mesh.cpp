@@ -188,6 +188,14 @@ void addRig(MeshPart& part, const Block& house, const BoxHull& hull) {
 
 }  // namespace
 
+std::vector<LaunchSection> launchSections(const BoxHull& hull) {
+  std::vector<LaunchSection> sections;
+  for (const Station& station : stations(hull)) {
+    sections.push_back({station.keel, station.chine, station.rail});
+  }
+  return sections;
+}
+
 render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing) {
   const auto all = stations(hull);
   const Block house = wheelhouse(hull);

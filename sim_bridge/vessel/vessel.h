@@ -66,6 +66,7 @@ class Vessel {
   /// The current, m/s: damping acts on motion relative to it.
   void setCurrent(glm::dvec2 current) { current_ = current; }
 
+  const Course& course() const { return course_; }
   double time() const { return time_; }
   VesselPose pose() const;
   double speed() const { return course_.speed(); }     ///< over ground, negative astern, m/s

@@ -48,16 +48,19 @@ struct WakeTile {
   SampleStatus status[pointsPerTile];
   std::size_t count = 0;
   glm::dvec2 lower{0.0}, upper{0.0};  // of the points that are not NaN
+  bool anyNan = false;
 
   void begin(std::size_t points) {
     count = points;
     lower = glm::dvec2(std::numeric_limits<double>::infinity());
     upper = -lower;
+    anyNan = false;
     std::fill(sums, sums + count, PointSums{});
     std::fill(status, status + count, SampleStatus::ok);
   }
   void put(std::size_t i, double px, double py) {
     x[i] = px, y[i] = py;
+    anyNan |= std::isnan(px) | std::isnan(py);
     lower = {px < lower.x ? px : lower.x, py < lower.y ? py : lower.y};
     upper = {px > upper.x ? px : upper.x, py > upper.y ? py : upper.y};
   }
@@ -89,7 +92,7 @@ void addWake(const VesselWaves& waves, double t, SheetQuantities what, SampleSta
     const SheetSampling sampling = samplingOf(sheet, t);
     const bool still = what == SheetQuantities::orbital && !sampling.potentialBefore;
     addSheet(sampling, still ? SheetQuantities::surface : what, tile.x, tile.y, tile.count,
-             tile.sums);
+             !tile.anyNan && tile.liesWithin(sheet.centre, 0.5 * sheet.size()), tile.sums);
     if (still) tile.mark(SampleStatus::noKinematics, widest.centre, reach);
     if (tile.liesWithin(sheet.centre, sheet.interior())) continue;
     for (std::size_t i = 0; i < tile.count; ++i) {
@@ -193,7 +196,7 @@ DisturbanceState::Motion DisturbanceState::motion(const VesselWaves& waves, glm:
     const SheetSampling sampling = samplingOf(sheet, t);
     const bool moves = sampling.potentialBefore != nullptr;
     addSheet(sampling, moves ? SheetQuantities::orbital : SheetQuantities::surface, &place.x,
-             &place.y, 1, &sums);
+             &place.y, 1, false, &sums);
     motion.hasVelocity = motion.hasVelocity && moves;
   }
   motion.height = sums[wake::height];

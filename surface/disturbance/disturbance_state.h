@@ -49,6 +49,8 @@ class DisturbanceState {
   double start() const { return start_; }
   double end() const { return end_; }
   std::span<const VesselWaves> wakes() const { return wakes_; }
+  /// How far the water has been carried since the epoch, m: windows lie in its frame.
+  glm::dvec2 drift(double t) const { return water_.current * t; }
 
   /// Adds heights, slopes, ∂η/∂t and orbital velocities at `points` (sea plane, m) and time `t` to
   /// `out`, as far as `options` asks; cubic B-splines in space and cubic Hermite in time, within

@@ -13,6 +13,9 @@ namespace seaway {
 class GridPool {
  public:
   GridPool(int cells, bool withPotential) : cells_(cells), withPotential_(withPotential) {}
+  /// A pool of its own for grids of the same size.
+  GridPool(const GridPool& other) : GridPool(other.cells_, other.withPotential_) {}
+  GridPool& operator=(const GridPool&) = delete;
 
   std::shared_ptr<WakeGrid> take();
 

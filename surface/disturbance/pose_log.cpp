@@ -34,6 +34,12 @@ PoseAnswer PoseLog::record(const VesselPose& pose) {
     if (!(pose.time > last.time)) return PoseAnswer::notLater;
     jumped = glm::length(place.position - last.place.position) > fastest * (pose.time - last.time);
   }
+  // A vessel at rest: the last of its poses only moves on in time.
+  if (entries_.size() > 2 && std::all_of(entries_.end() - 3, entries_.end(),
+                                         [&](const Entry& e) { return e.pose.place == place; })) {
+    entries_.back().pose.time = pose.time;
+    return PoseAnswer::accepted;
+  }
   // The interval that ends at a grid time: (n − 1, n].
   const auto slot = [&](const Entry& entry) {
     return std::ceil(entry.pose.time / interval_ - onGrid);

@@ -31,6 +31,13 @@ double absorptionRate(double size, double speed) {
   return std::min(5.0, std::max(0.7 * std::sqrt(256.0 / size), 32.0 * speed / size));
 }
 
+/// The power of two of cells, 64 to `most`, that covers a length.
+int cellsFor(double length, double cell, int most) {
+  int cells = 64;
+  while (cells < most && cells * cell < length) cells *= 2;
+  return cells;
+}
+
 glm::dvec2 wantedAstern(glm::dvec2 velocity, double size) {
   // In full from 2 m/s up: a vessel at rest lies in the middle.
   return -lag * size * velocity / std::max(2.0, glm::length(velocity));
@@ -39,21 +46,32 @@ glm::dvec2 wantedAstern(glm::dvec2 velocity, double size) {
 }  // namespace
 
 std::vector<WakeLevel> standardCascade(double hullLength, double depth) {
+  return cascadeOf(hullLength, depth, 0.0, 0.0);
+}
+
+std::vector<WakeLevel> cascadeOf(double hullLength, double depth, double cell, double window) {
   double scale = 1.0;
   while (hullLength > 64.0 * scale) scale *= 2.0;
+  if (cell > 0.0) scale = 2.0 * cell;
   WakeLevel fine;
   fine.step = 0.1 * std::sqrt(scale);
   fine.window.cellSize = 0.5 * scale;
   fine.window.cells = 512;
-  fine.window.modes = 256;
   fine.window.depth = depth;
-  fine.window.absorption = 1.0;
-  fine.window.band = {2.0 * scale, 4.0 * scale, 16.0 * scale, 32.0 * scale};
+  fine.window.band = {2.0 * scale, 4.0 * scale};
+  const double wanted = window > 0.0 ? window : 1024.0 * scale;
+  if (wanted <= fine.window.size()) {
+    fine.window.cells = cellsFor(wanted, fine.window.cellSize, fine.window.cells);
+    fine.window.modes = fine.window.cells / 2;
+    return {fine};
+  }
+  fine.window.band.longAll = 16.0 * scale;
+  fine.window.band.longNone = 32.0 * scale;
   WakeLevel coarse = fine;
   coarse.step = 4.0 * fine.step;
   coarse.window.cellSize = 4.0 * scale;
-  coarse.window.cells = 256;
-  coarse.window.modes = 128;
+  coarse.window.cells = cellsFor(wanted, coarse.window.cellSize, 1024);
+  coarse.window.modes = coarse.window.cells / 2;
   coarse.window.band = {16.0 * scale, 32.0 * scale};
   return {fine, coarse};
 }
@@ -62,6 +80,8 @@ double memoryOf(const WakeLevel& level) {
   const double slowest = groupSpeed(2.0 * pi / level.window.band.shortAll, level.window.depth);
   return 0.8 * level.window.size() / slowest;
 }
+
+double reachOf(const std::vector<WakeLevel>& cascade) { return 0.7 * cascade.back().window.size(); }
 
 LevelWake::LevelWake(const WakeLevel& level, std::shared_ptr<const WakeTables> tables,
                      std::shared_ptr<const FootprintTable> hull, bool withPotential)
@@ -100,8 +120,9 @@ void LevelWake::settle(const PoseLog& log) {
   const HullPlace place = log.placeOrFirst(time(), time());
   const HullPlace next = log.placeOrFirst(time() + level_.step, time());
   window_.settle(place);
-  const glm::dvec2 velocity = (next.position - place.position) / level_.step;
-  astern_ = wantedAstern(velocity, size());
+  place_ = place;
+  velocity_ = (next.position - place.position) / level_.step;
+  astern_ = wantedAstern(velocity_, size());
   centre_ = place.position + astern_;
 }
 
@@ -110,18 +131,19 @@ void LevelWake::step(const PoseLog& log) {
   const HullPlace from = log.placeOrFirst(time(), time());
   const HullPlace to = log.placeOrFirst(time() + level_.step, time());
   window_.step(level_.step, from, to);
+  place_ = to;
+  velocity_ = (to.position - from.position) / level_.step;
   ++steps_;
-  follow(from, to);
+  follow();
 }
 
-void LevelWake::follow(const HullPlace& from, const HullPlace& to) {
-  const glm::dvec2 velocity = (to.position - from.position) / level_.step;
-  const double speed = glm::length(velocity);
+void LevelWake::follow() {
+  const double speed = glm::length(velocity_);
   // The seam moves gently, for it takes waves away as it passes.
-  const glm::dvec2 change = wantedAstern(velocity, size()) - astern_;
+  const glm::dvec2 change = wantedAstern(velocity_, size()) - astern_;
   const double most = (0.5 * speed + 1.0) * level_.step, wanted = glm::length(change);
   astern_ += wanted > most ? change * (most / wanted) : change;
-  centre_ = to.position + astern_;
+  centre_ = place_.position + astern_;
 
   const double rate = absorptionRate(size(), speed) * level_.window.absorption;
   const double interval = rate > 1.0 ? borderInterval / rate : borderInterval;
@@ -134,7 +156,7 @@ void LevelWake::follow(const HullPlace& from, const HullPlace& to) {
 
 void LevelWake::draw() {
   const std::shared_ptr<WakeGrid> grid = pool_.take();
-  window_.draw(*grid);
+  window_.drawFilled(place_, velocity_, *grid);
   before_ = std::exchange(after_, grid);
 }
 

@@ -25,9 +25,17 @@ struct WakeLevel {
 /// (tests/surface/disturbance/wake_window_test.cpp).
 std::vector<WakeLevel> standardCascade(double hullLength, double depth);
 
+/// The same with cells of `cell` m near the hull, which carry waves from four cells up, and waves
+/// out to a square of `window` m, each 0 for the standard. Windows have 2ⁿ cells a side, so that
+/// `window` is rounded up; one of up to 512 cells near the hull serves alone where that covers it.
+std::vector<WakeLevel> cascadeOf(double hullLength, double depth, double cell, double window);
+
 /// Seconds that waves of a level need to leave its window when their vessel lies still; what is
 /// older is forgotten.
 double memoryOf(const WakeLevel& level);
+
+/// A wake runs while somebody is within this distance of its vessel along both axes, m.
+double reachOf(const std::vector<WakeLevel>& cascade);
 
 /// The waves of one vessel: a window of one level, stepped on a time grid fixed in the world
 /// (multiples of the level's step) from the vessel's pose log. Step n → n + 1 depends on poses up
@@ -55,7 +63,7 @@ class LevelWake {
   void start(const PoseLog& log, double time);
   void settle(const PoseLog& log);
   void step(const PoseLog& log);
-  void follow(const HullPlace& from, const HullPlace& to);
+  void follow();
   void draw();
 
   WakeLevel level_;
@@ -65,6 +73,8 @@ class LevelWake {
   long long steps_ = 0;     // the state's time in steps
   glm::dvec2 astern_{0.0};  // from the vessel to the window's centre, m
   glm::dvec2 centre_{0.0};
+  HullPlace place_;           // after the last step
+  glm::dvec2 velocity_{0.0};  // m/s
   double meanWaveNumber_ = 0.0;
   std::shared_ptr<const WakeGrid> before_, after_;
 };

@@ -185,9 +185,12 @@ void OutputRowKernel(const OutputRow& row) {
                        hn::Neg(hn::Reverse(f, hn::LoadU(f, row.mirroredImaginary + mirror)))};
     const V omega = hn::LoadU(f, row.omega + c);
     const V scale = hn::Mul(hn::LoadU(f, row.prefilter + c), hn::Set(f, 0.5f * row.scale));
-    const V plus = hn::Mul(scale, hn::Add(one, omega)), minus = hn::Mul(scale, hn::Sub(one, omega));
-    hn::StoreInterleaved2(hn::MulAdd(plus, z.re, hn::Mul(minus, m.re)),
-                          hn::MulAdd(plus, z.im, hn::Mul(minus, m.im)), f, surface + 2 * c);
+    if (surface) {
+      const V plus = hn::Mul(scale, hn::Add(one, omega));
+      const V minus = hn::Mul(scale, hn::Sub(one, omega));
+      hn::StoreInterleaved2(hn::MulAdd(plus, z.re, hn::Mul(minus, m.re)),
+                            hn::MulAdd(plus, z.im, hn::Mul(minus, m.im)), f, surface + 2 * c);
+    }
     if (!potential) continue;
     const V factor = hn::Mul(scale, hn::LoadU(f, row.gravityOverOmega + c));
     hn::StoreInterleaved2(hn::Mul(factor, hn::Sub(z.im, m.im)),

@@ -70,7 +70,7 @@ struct BorderColumns {
 void borderAcrossRows(const BorderColumns& row);
 
 /// One row of the spectra that become the height map, interleaved: η + i η_t = ½[(1 + ω)Z(k) +
-/// (1 − ω) conj Z(−k)], and where `potential` is given φ = −(i g/2ω)[Z(k) − conj Z(−k)], each times
+/// (1 − ω) conj Z(−k)] where `surface` is given, and where `potential` is φ = −(i g/2ω)[Z(k) − conj Z(−k)], each times
 /// prefilter and scale.
 struct OutputRow {
   int begin, end, columns;
@@ -79,8 +79,8 @@ struct OutputRow {
   float scale;             ///< the prefilter of the row
   const float *real, *imaginary;
   const float *mirroredReal, *mirroredImaginary;  ///< row −k_y
-  std::complex<float>* surface;                   ///< by column
-  std::complex<float>* potential;                 ///< or null
+  std::complex<float>* surface;                   ///< by column, or null
+  std::complex<float>* potential;                 ///< likewise
 };
 void outputRow(const OutputRow& row);
 

@@ -82,21 +82,23 @@ void storeRow(const float* values, std::size_t y, std::size_t width, const WakeG
   if (y < 2) std::copy_n(row, length, out.data() + (y + 1 + cells) * grid.stride * width);
 }
 
-void combine(const WakeTables& tables, const ModePlane& real, const ModePlane& imaginary,
-             bool potential, Scratch& buffers) {
+void combine(const WakeTables& tables, const ModeState& state, AlignedVector<Value>* surface,
+             AlignedVector<Value>* potential) {
   const int modes = tables.settings.modes, half = modes / 2;
   const std::size_t stride = sizeOf(modes) + ModePlane::padding;
-  buffers.surface.assign(stride * sizeOf(modes), Value());
-  if (potential) buffers.potential.assign(stride * sizeOf(modes), Value());
+  for (AlignedVector<Value>* spectrum : {surface, potential}) {
+    if (spectrum) spectrum->assign(stride * sizeOf(modes), Value());
+  }
   for (int my = 1 - half; my < half; ++my) {
     const std::size_t shared = sizeOf(std::abs(my));
     const std::size_t row = sizeOf(my >= 0 ? my : my + modes);
     const std::size_t mirror = sizeOf(my > 0 ? modes - my : -my);
     outputRow({tables.begin[shared], tables.end[shared], modes, tables.omega.row(shared),
                tables.gravityOverOmega.row(shared), tables.prefilter.data(),
-               tables.prefilter[sizeOf(my + half)], real.row(row), imaginary.row(row),
-               real.row(mirror), imaginary.row(mirror), &buffers.surface[row * stride],
-               potential ? &buffers.potential[row * stride] : nullptr});
+               tables.prefilter[sizeOf(my + half)], state.real.row(row), state.imaginary.row(row),
+               state.real.row(mirror), state.imaginary.row(mirror),
+               surface ? &(*surface)[row * stride] : nullptr,
+               potential ? &(*potential)[row * stride] : nullptr});
   }
 }
 
@@ -131,14 +133,15 @@ void transformRealRows(const WakeWindowSettings& s, std::size_t y, const Complex
 
 }  // namespace
 
-void drawGrid(const WakeTables& tables, const ModePlane& real, const ModePlane& imaginary,
+void drawGrid(const WakeTables& tables, const ModeState& surface, const ModeState& motion,
               const ComplexFft& fft, WakeGrid& out) {
   const WakeWindowSettings& s = tables.settings;
   const std::size_t cells = sizeOf(s.cells);
   const bool potential = !out.potential.empty();
   Scratch& buffers = scratch();
   buffers.line.resize(cells + 1);
-  combine(tables, real, imaginary, potential, buffers);
+  combine(tables, surface, &buffers.surface, nullptr);
+  if (potential) combine(tables, motion, nullptr, &buffers.potential);
 
   transformColumns(s, buffers.surface, 0, fft, buffers);
   out.largestHeight = out.largestRate = 0.0f;

@@ -32,9 +32,10 @@ void setTime(SheetSampling& sheet, double before, double after, double time);
 /// What is wanted beside the height.
 enum class SheetQuantities { height, surface, orbital };
 
-/// Adds a sheet at `count` points to `sums`. In vector instructions across a point's 4 × 4 cells:
-/// the same bits for any batch. Allocates nothing.
+/// Adds a sheet at `count` points to `sums`; `allInside` says that all are known to lie in the
+/// window. In vector instructions across a point's 4 × 4 cells: the same bits for any batch.
+/// Allocates nothing.
 void addSheet(const SheetSampling& sheet, SheetQuantities what, const double* x, const double* y,
-              std::size_t count, PointSums* sums);
+              std::size_t count, bool allInside, PointSums* sums);
 
 }  // namespace seaway::wake

@@ -36,7 +36,7 @@ struct WakeSystem::Vessel {
     for (const WakeLevel& level : levels) longest = std::max(longest, memoryOf(level));
     return longest;
   }
-  double reach() const { return 0.7 * levels.back().window.size(); }
+  double reach() const { return reachOf(levels); }
 
   std::uint32_t handle;
   HullFootprint hull;
@@ -59,13 +59,19 @@ WakeSystem::WakeSystem(const WakeSystemSettings& settings) : settings_(settings)
   }
 }
 
+WakeSystem::WakeSystem(const WakeSystem& other)
+    : settings_(other.settings_), tables_(other.tables_), nextHandle_(other.nextHandle_) {
+  for (const auto& vessel : other.vessels_) vessels_.push_back(std::make_unique<Vessel>(*vessel));
+  published_->publish(other.latest());
+}
+
 WakeSystem::~WakeSystem() = default;
 
 std::uint32_t WakeSystem::addVessel(const HullFootprint& hull) {
   const glm::dvec2 extent = hull.upper() - hull.lower();
-  auto levels = settings_.cascade.empty()
-                    ? standardCascade(std::max(extent.x, extent.y), settings_.depth)
-                    : settings_.cascade;
+  auto levels = settings_.cascade.empty() ? cascadeOf(std::max(extent.x, extent.y), settings_.depth,
+                                                      settings_.cell, settings_.window)
+                                          : settings_.cascade;
   for (WakeLevel& level : levels) level.window.depth = settings_.depth;
   vessels_.push_back(std::make_unique<Vessel>(nextHandle_, hull, std::move(levels)));
   return nextHandle_++;
@@ -78,16 +84,22 @@ void WakeSystem::removeVessel(std::uint32_t vessel) {
 }
 
 PoseAnswer WakeSystem::record(std::uint32_t vessel, const WakePose& pose) {
-  const auto found = std::find_if(vessels_.begin(), vessels_.end(), [&](const auto& known) {
-    return known->handle == vessel && !known->removed;
-  });
-  if (found == vessels_.end()) {
-    throw InputError("no vessel has the handle " + std::to_string(vessel));
-  }
   // The solver's frame drifts with the water.
-  return (*found)->log.record(
+  return vesselOf(vessel).log.record(
       {pose.time, {pose.position - settings_.current * pose.time, pose.heading, pose.immersion}});
 }
+
+WakeSystem::Vessel& WakeSystem::vesselOf(std::uint32_t handle) const {
+  const auto found = std::find_if(vessels_.begin(), vessels_.end(), [&](const auto& known) {
+    return known->handle == handle && !known->removed;
+  });
+  if (found == vessels_.end()) {
+    throw InputError("no vessel has the handle " + std::to_string(handle));
+  }
+  return **found;
+}
+
+double WakeSystem::memory(std::uint32_t vessel) const { return vesselOf(vessel).memory(); }
 
 std::vector<WakeSystem::Call> WakeSystem::calls(double t, std::span<const WakeListener> listeners) {
   std::vector<Call> called;

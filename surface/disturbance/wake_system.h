@@ -12,6 +12,7 @@
 #include "surface/disturbance/pose_log.h"
 #include "surface/disturbance/published.h"
 #include "surface/disturbance/vessel_wake.h"
+#include "surface/disturbance/wake_listener.h"
 #include "surface/effects.h"
 
 namespace seaway {
@@ -22,24 +23,10 @@ struct WakeSystemSettings {
   std::size_t mostWakes = 8;    ///< that run at once, those nearest to a listener: some 20 MB and
                                 ///< 3 ms a step of 0.1 s each
   bool orbitalVelocity = true;  ///< keep the potential too: a third of the cost
-  /// The windows of every vessel; empty: standardCascade for each hull. Each level's step is a
-  /// multiple of the first's.
+  double cell = 0.0, window = 0.0;  ///< of `cascadeOf` for each hull, m; 0: the standard
+  /// The windows of every vessel; empty: cascadeOf for each hull. Each level's step is a multiple
+  /// of the first's.
   std::vector<WakeLevel> cascade;
-};
-
-/// Someone who feels or sees the water around a place: a hull, a camera, the points of a query.
-struct WakeListener {
-  glm::dvec2 position{0.0};  ///< m, sea plane
-  double radius = 0.0;       ///< m about it
-  std::uint32_t vessel = 0;  ///< a hull does not call for its own wake; 0: nobody's own
-};
-
-/// Where a vessel floats, in the sea plane.
-struct WakePose {
-  double time = 0.0;         ///< s since the scene's epoch
-  glm::dvec2 position{0.0};  ///< of the footprint's origin, m
-  double heading = 0.0;      ///< direction of the bow, rad counter-clockwise from east
-  double immersion = 1.0;    ///< part of the hull in the water, ≥ 0: 0 for a hull lifted out
 };
 
 /// The wakes of a scene: every vessel's past, and waves where somebody is near to feel or see them.
@@ -55,7 +42,8 @@ class WakeSystem {
   /// Throws InputError for windows that cannot be.
   explicit WakeSystem(const WakeSystemSettings& settings = {});
   ~WakeSystem();
-  WakeSystem(const WakeSystem&) = delete;
+  /// A system in the same state, with a feed of its own.
+  WakeSystem(const WakeSystem& other);
   WakeSystem& operator=(const WakeSystem&) = delete;
 
   /// A vessel's handle, above 0.
@@ -77,11 +65,15 @@ class WakeSystem {
   /// What WaterSurface::setDisturbances takes.
   std::shared_ptr<const Published<DisturbanceState>> feed() const { return published_; }
 
+  /// How far back the poses of a vessel bear on its waves, s.
+  double memory(std::uint32_t vessel) const;
+
   std::size_t running() const;  ///< wakes that hold windows
   std::size_t memoryBytes() const;
 
  private:
   struct Vessel;
+  Vessel& vesselOf(std::uint32_t handle) const;
   struct Call {
     Vessel* vessel;
     double distance;  // from the nearest listener's surroundings, m

@@ -86,6 +86,7 @@ WakeTables::WakeTables(const WakeWindowSettings& s, double step)
       cosine(halfTurn),
       sine(halfTurn),
       gain(halfTurn),
+      share(halfTurn),
       omega(halfTurn),
       gravityOverOmega(halfTurn),
       prefilter(halfTurn.stride) {
@@ -103,8 +104,9 @@ WakeTables::WakeTables(const WakeWindowSettings& s, double step)
       const double frequency = angularFrequency(k, s.depth);
       halfTurn.row(r)[c] = static_cast<float>(0.5 * frequency * dt);
       std::tie(cosine.row(r)[c], sine.row(r)[c]) = rotation(0.5 * frequency * dt);
-      gain.row(r)[c] =
-          static_cast<float>(s.band.weight(k) * frequency * dt / (s.size() * s.size()));
+      const double part = s.band.weight(k) / (s.size() * s.size());
+      share.row(r)[c] = static_cast<float>(part);
+      gain.row(r)[c] = static_cast<float>(part * frequency * dt);
       omega.row(r)[c] = static_cast<float>(frequency);
       gravityOverOmega.row(r)[c] = static_cast<float>(standardGravity / frequency);
     }
@@ -113,6 +115,6 @@ WakeTables::WakeTables(const WakeWindowSettings& s, double step)
   }
 }
 
-std::size_t WakeTables::memoryBytes() const { return 6 * cosine.values.size() * sizeof(float); }
+std::size_t WakeTables::memoryBytes() const { return 7 * cosine.values.size() * sizeof(float); }
 
 }  // namespace seaway

@@ -63,6 +63,7 @@ struct WakeTables {
   ModePlane halfTurn;            ///< ω dt/2
   ModePlane cosine, sine;        ///< of the half turn
   ModePlane gain;                ///< W ω dt/L², 1/m²: the step's share of a pressure head's Ĥ
+  ModePlane share;               ///< W/L², 1/m²: of a pressure head's Ĥ in the mode
   ModePlane omega;               ///< rad/s
   ModePlane gravityOverOmega;    ///< g/ω, m/s; 0 where ω is
   std::vector<float> prefilter;  ///< of the B-spline along one axis, by column

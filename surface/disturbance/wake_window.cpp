@@ -187,7 +187,37 @@ void WakeWindow::absorb(glm::dvec2 centre, double seconds) {
 }
 
 void WakeWindow::draw(WakeGrid& out) const {
-  wake::drawGrid(*tables_, real_, imaginary_, fft_, out);
+  const wake::ModeState state{real_, imaginary_};
+  wake::drawGrid(*tables_, state, state, fft_, out);
+}
+
+// η + H, and ∂η/∂t − U·∇H: Ẑ + Ĥ(1 + k·U/ω).
+void WakeWindow::drawFilled(const HullPlace& place, glm::dvec2 velocity, WakeGrid& out) const {
+  const int modes = settings().modes, half = modes / 2;
+  const double size = settings().size(), unit = 2.0 * pi / (size * standardGravity);
+  const AxisPhases x(modes, fractionOf(place.position.x, size));
+  const AxisPhases y(modes, fractionOf(place.position.y, size));
+  std::vector<float> paceX(static_cast<std::size_t>(modes));
+  for (int c = 0; c < modes; ++c) paceX[c] = static_cast<float>(unit * (c - half) * velocity.x);
+  ModePlane real = real_, imaginary = imaginary_;
+  for (int my = 1 - half; my < half; ++my) {
+    const std::size_t shared = static_cast<std::size_t>(std::abs(my)), row = rowOf(my);
+    const float* const share = tables_->share.row(shared);
+    const float* const slowness = tables_->gravityOverOmega.row(shared);
+    const float *const hullReal = footprintReal_.row(row), *const hullOther =
+                                                               footprintImaginary_.row(row);
+    const std::complex<float> rowPlace = static_cast<float>(place.immersion) * y.at(my);
+    const auto paceY = static_cast<float>(unit * my * velocity.y);
+    float *const outReal = real.row(row), *const outImaginary = imaginary.row(row);
+    for (int c = tables_->begin[shared]; c < tables_->end[shared]; ++c) {
+      const float weight = share[c] * (1.0f + (paceX[c] + paceY) * slowness[c]);
+      const float a = weight * (x.real[c] * rowPlace.real() - x.imaginary[c] * rowPlace.imag());
+      const float b = weight * (x.real[c] * rowPlace.imag() + x.imaginary[c] * rowPlace.real());
+      outReal[c] += a * hullReal[c] - b * hullOther[c];
+      outImaginary[c] += a * hullOther[c] + b * hullReal[c];
+    }
+  }
+  wake::drawGrid(*tables_, {real, imaginary}, {real_, imaginary_}, fft_, out);
 }
 
 std::vector<float> WakeWindow::envelope() const {

@@ -17,6 +17,7 @@ struct HullPlace {
   glm::dvec2 position{0.0};  ///< m, in the water's frame: the sea plane less the current's drift
   double heading = 0.0;      ///< direction of the bow, rad counter-clockwise from east
   double immersion = 1.0;    ///< part of the hull's depth that presses, ≥ 0
+  bool operator==(const HullPlace&) const = default;
 };
 
 /// Linear water waves that one hull makes, on a periodic window, exactly in time: the complex field
@@ -56,6 +57,11 @@ class WakeWindow {
 
   /// The surface as spline coefficients. `out` has the settings' cells.
   void draw(WakeGrid& out) const;
+
+  /// The same with the hollow under the hull filled, as far as the window's waves can tell: the
+  /// surface that others meet, for a hull at `place` that moves at `velocity` m/s with the heading
+  /// of the last step. A hull at rest leaves still water.
+  void drawFilled(const HullPlace& place, glm::dvec2 velocity, WakeGrid& out) const;
 
   /// |Z| at the cells, rows from the south, m: the envelope of waves that all travel to one side.
   std::vector<float> envelope() const;

@@ -15,7 +15,8 @@ namespace seaway {
 ///
 /// Values lie on boundaries of 64 bytes (AlignedVector): FFTW uses no vector instructions
 /// elsewhere. Construction is serialised within the process; transforms of one object are safe from
-/// any number of threads and allocate nothing in the calling thread after its first transform.
+/// any number of threads and allocate nothing in the calling thread after its first transform. Copies
+/// share their plans.
 class ComplexFft {
  public:
   /// Transforms that `inverseTogether` does side by side.
@@ -24,9 +25,6 @@ class ComplexFft {
   /// Transforms of `size` ≥ 1 values; powers of two are quickest. Throws std::runtime_error where
   /// they cannot be planned.
   explicit ComplexFft(std::size_t size);
-  ~ComplexFft();
-  ComplexFft(ComplexFft&&) noexcept;
-  ComplexFft& operator=(ComplexFft&&) noexcept;
 
   std::size_t size() const { return size_; }
 
@@ -40,7 +38,7 @@ class ComplexFft {
  private:
   struct Plan;
   std::size_t size_;
-  std::unique_ptr<Plan> plan_;
+  std::shared_ptr<const Plan> plan_;
 };
 
 }  // namespace seaway

@@ -29,7 +29,7 @@ struct ComplexFft::Plan {
   }
 };
 
-ComplexFft::ComplexFft(std::size_t size) : size_(size), plan_(std::make_unique<Plan>()) {
+ComplexFft::ComplexFft(std::size_t size) : size_(size) {
   if (size < 1 || size > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw std::runtime_error("a Fourier transform of this length cannot be planned");
   }
@@ -40,20 +40,18 @@ ComplexFft::ComplexFft(std::size_t size) : size_(size), plan_(std::make_unique<P
   const int length = static_cast<int>(size);
   AlignedVector<std::complex<float>> values(size * together);
   fftwf_complex* data = asFftw(values.data());
+  const auto plan = std::make_shared<Plan>();
   {
     const std::lock_guard lock(fftwPlanning());
-    plan_->one = fftwf_plan_dft_1d(length, data, data, FFTW_BACKWARD, flags);
-    plan_->side = fftwf_plan_many_dft(1, &length, side, data, nullptr, side, 1, data, nullptr, side,
+    plan->one = fftwf_plan_dft_1d(length, data, data, FFTW_BACKWARD, flags);
+    plan->side = fftwf_plan_many_dft(1, &length, side, data, nullptr, side, 1, data, nullptr, side,
                                       1, FFTW_BACKWARD, flags);
   }
-  if (!plan_->one || !plan_->side) {
+  if (!plan->one || !plan->side) {
     throw std::runtime_error("a Fourier transform of this length cannot be planned");
   }
+  plan_ = plan;
 }
-
-ComplexFft::~ComplexFft() = default;
-ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
-ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 
 void ComplexFft::inverse(std::complex<float>* values) const {
   fftwf_execute_dft(plan_->one, asFftw(values), asFftw(values));

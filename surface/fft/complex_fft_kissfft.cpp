@@ -36,15 +36,11 @@ ComplexFft::ComplexFft(std::size_t size) : size_(size) {
   if (size < 1 || size > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw std::runtime_error("a Fourier transform of this length cannot be planned");
   }
-  plan_ = std::make_unique<Plan>(static_cast<int>(size));
+  plan_ = std::make_shared<const Plan>(static_cast<int>(size));
   if (!plan_->inverse) {
     throw std::runtime_error("a Fourier transform of this length cannot be planned");
   }
 }
-
-ComplexFft::~ComplexFft() = default;
-ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
-ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 
 void ComplexFft::inverse(std::complex<float>* values) const {
   std::complex<float>* const result = scratch(size_);

@@ -146,7 +146,10 @@ bool LoadWork::probeWater() {
     places[i] = glm::dvec2(points[i]);
   }
   SampleOptions heights = sampling;
-  water.sample(places, surface, heights);
+  water.waves().sample(places, surface, heights);
+  if (water.disturbances()) {
+    water.disturbances()->addTo(places, water.time(), surface, heights);
+  }
   result.leftOut = surface[0].error;
   result.status |= surface[0].status;
   if (!std::isfinite(surface[0].height)) return false;
@@ -203,7 +206,7 @@ bool LoadWork::submergeVertices() {
 /// Replaces ρg(ζ − z) by ρg(head − z) at the wet vertices.
 void LoadWork::addDynamicPressure(std::size_t wet) {
   const WaveField& waves = water.waves().field();
-  if (has(result.status, SampleStatus::noKinematics)) return;
+  if (!waves.lists().perlins.empty()) return;
   const bool calm = waves.octaves().empty() && !water.disturbances();
   if (calm) return;
   const double bed = waves.settings().depth;

@@ -94,7 +94,7 @@ class LoadScratch {
 /// draft.
 ///
 /// Waves shorter than the hull's cut-off are left out; HullLoads::leftOut says how much. A hull
-/// does not disturb the water. The water's outline is not looked at. A pose or time that is not
+/// does not disturb the water. Splashes, rain and layers, and the outline, are not looked at. A pose or time that is not
 /// finite gives NaN and `notFinite`; Perlin octaves have no pressure or motion below the surface:
 /// hydrostatic pressure then, and `noKinematics`; where a trough falls to the bed, NaN and
 /// `belowBed`.

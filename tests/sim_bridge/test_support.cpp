@@ -135,4 +135,10 @@ fs::path writeScene(const TempFolder& folder,
   return folder.write("scene.yaml", sceneText(replacements));
 }
 
+fs::path writeWakelessScene(const TempFolder& folder,
+                            std::vector<std::pair<std::string, std::string>> replacements) {
+  replacements.emplace_back("run:", "effects: {wake: off}\nrun:");
+  return writeScene(folder, replacements);
+}
+
 }  // namespace seaway::bridge::test

@@ -57,4 +57,8 @@ std::filesystem::path writeScene(
     const TempFolder& folder,
     const std::vector<std::pair<std::string, std::string>>& replacements = {});
 
+/// The same, but that the launch leaves no waves: the sea alone.
+std::filesystem::path writeWakelessScene(
+    const TempFolder& folder, std::vector<std::pair<std::string, std::string>> replacements = {});
+
 }  // namespace seaway::bridge::test

@@ -24,9 +24,10 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
                                (folder / "cost").string(), "--quick", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name :
-       {"query_octaves", "fit_octaves", "hull_mesh_dynamic", "hull_cutoffs", "image_position_grid",
-        "image_depth_grid", "image_height_grid", "image_swimming", "image_swimming_turning"}) {
+  for (const char* name : {"query_octaves", "fit_octaves", "hull_mesh_dynamic", "hull_cutoffs",
+                           "image_position_grid", "image_depth_grid", "image_height_grid",
+                           "image_swimming", "image_swimming_turning", "wake_cell", "wake_step",
+                           "wake_window", "layer_memory", "layer_painting", "layer_sampling"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());

@@ -14,11 +14,11 @@ namespace seaway::bridge {
 namespace {
 
 using test::TempFolder;
-using test::writeScene;
+using test::writeWakelessScene;
 
 std::string ask(QueryOptions options, const std::string& input = "") {
   const TempFolder folder;
-  options.scene = writeScene(folder).string();
+  options.scene = writeWakelessScene(folder).string();
   std::istringstream in(input);
   std::ostringstream out;
   EXPECT_EQ(runQuery(options, in, out), 0);
@@ -57,7 +57,7 @@ TEST(QueryCommand, WritesTheInputColumnsThenTheResults) {
 
 TEST(QueryCommand, NumbersReadBackToTheSurfacesOwnBits) {
   const TempFolder folder;
-  const Scene scene = loadScene(writeScene(folder));
+  const Scene scene = loadScene(writeWakelessScene(folder));
   const Sea sea = buildSea(scene);
   QueryOptions options;
   options.time = 3.25;
@@ -82,7 +82,7 @@ TEST(QueryCommand, EachPointMayHaveItsOwnTime) {
 
 TEST(QueryCommand, GeodeticAndSeaPlanePointsAgree) {
   const TempFolder folder;
-  const Sea sea = buildSea(loadScene(writeScene(folder)));
+  const Sea sea = buildSea(loadScene(writeWakelessScene(folder)));
   const GeodeticPosition place = sea.geodesy.geodeticFromSeaPlane({300.0, -500.0});
   QueryOptions options;
   options.time = 1.0;
@@ -122,7 +122,7 @@ TEST(QueryCommand, ToleranceLeavesOctavesOutAndSaysSo) {
 
 TEST(QueryCommand, OrbitalVelocitiesFollowTheStatusAndAreTheSurfacesOwn) {
   const TempFolder folder;
-  const Sea sea = buildSea(loadScene(writeScene(folder)));
+  const Sea sea = buildSea(loadScene(writeWakelessScene(folder)));
   QueryOptions options;
   options.time = 3.25;
   options.points = "-";
@@ -146,7 +146,7 @@ TEST(QueryCommand, OrbitalVelocitiesFollowTheStatusAndAreTheSurfacesOwn) {
 
 TEST(QueryCommand, ModelOverridesTheScenesKindOfOctaves) {
   const TempFolder folder;
-  Scene scene = loadScene(writeScene(folder));
+  Scene scene = loadScene(writeWakelessScene(folder));
   scene.sea.model = OctaveKind::perlin;
   const SurfaceSample perlin = buildSea(scene).surface.sample({10.1, -20.7}, 3.25);
   QueryOptions options;
@@ -166,7 +166,7 @@ TEST(QueryCommand, ModelOverridesTheScenesKindOfOctaves) {
 
 TEST(QueryCommand, CutoffLeavesOutTheShortWavesAndSaysSo) {
   const TempFolder folder;
-  const Sea sea = buildSea(loadScene(writeScene(folder)));
+  const Sea sea = buildSea(loadScene(writeWakelessScene(folder)));
   QueryOptions options;
   options.time = 1.0;
   options.points = "-";
@@ -191,7 +191,7 @@ TEST(QueryCommandHard, BadCutoffsAndModelsAreRefused) {
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     return outcome.err;
   };
-  const std::string scene = writeScene(folder).string();
+  const std::string scene = writeWakelessScene(folder).string();
   EXPECT_NE(ask(scene, {"--cutoff", "-1"}).find("--cutoff"), std::string::npos);
   EXPECT_NE(ask(scene, {"--cutoff", "nan"}).find("--cutoff"), std::string::npos);
   EXPECT_NE(ask(scene, {"--model", "fourier"}).find("group, perlin"), std::string::npos);
@@ -215,7 +215,7 @@ TEST(QueryCommand, JsonHoldsTheSamePoints) {
 
 TEST(QueryCommand, ReadsPointsFromAFileOrStandardInputOfTheBinary) {
   const TempFolder folder;
-  const std::string scene = writeScene(folder).string();
+  const std::string scene = writeWakelessScene(folder).string();
   const std::string points = "latitude_deg,longitude_deg\n28.878,-78.467\n-0,0\n";
   const std::string file = folder.write("points.csv", points).string();
   const auto fromFile = test::seaway({"query", scene, "--time", "2", "--points", file});

@@ -14,7 +14,7 @@ namespace seaway::bridge {
 namespace {
 
 using test::TempFolder;
-using test::writeScene;
+using test::writeWakelessScene;
 using Replacements = std::vector<std::pair<std::string, std::string>>;
 
 constexpr double amplitude = 0.1, frequency = 0.2;  // m, Hz
@@ -32,7 +32,7 @@ Replacements regularWave(const std::string& depth) {
 nlohmann::json points(const Replacements& replacements, QueryOptions options,
                       const std::string& input) {
   const TempFolder folder;
-  options.scene = writeScene(folder, replacements).string();
+  options.scene = writeWakelessScene(folder, replacements).string();
   options.points = "-";
   options.json = true;
   std::istringstream in(input);
@@ -113,7 +113,7 @@ TEST(QueryKinematics, PerlinOctavesHaveNoPressure) {
 
 TEST(QueryKinematics, TheCommandTakesOneHeightForAllPoints) {
   const TempFolder folder;
-  const std::string scene = writeScene(folder, regularWave("inf")).string();
+  const std::string scene = writeWakelessScene(folder, regularWave("inf")).string();
   const auto outcome = test::seaway(
       {"query", scene, "--time", "0", "--at", "28.878,-78.467", "--z", "-2", "--pressure"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -141,7 +141,7 @@ TEST(QueryKinematics, TimesBeforeTheEpochAreAnsweredAlikeFromOptionAndColumn) {
   EXPECT_EQ(byOption[0]["height_m"], byColumn[0]["height_m"]);
   EXPECT_TRUE(byOption[0]["height_m"].is_number());
   const TempFolder folder;
-  const auto picture = test::seaway({"render", writeScene(folder).string(), "--time", "-1", "--out",
+  const auto picture = test::seaway({"render", writeWakelessScene(folder).string(), "--time", "-1", "--out",
                                      (folder / "f.png").string()});
   EXPECT_EQ(picture.status, 2);
   EXPECT_NE(picture.err.find("--time"), std::string::npos) << picture.err;
@@ -188,7 +188,7 @@ TEST(QueryKinematics, ACurrentThatStopsWavesIsReportedByQueryAndRun) {
   // Deep water, 0.2 Hz: λ = 39.0 m, groups at 3.90 m/s.
   Replacements against = regularWave("inf");
   against.push_back({"seed: 7", "seed: 7\n  current: {speed_m_s: 4, toward_deg: 270}"});
-  const std::string scene = writeScene(folder, against).string();
+  const std::string scene = writeWakelessScene(folder, against).string();
   const auto query =
       test::seaway({"query", scene, "--time", "0", "--at", "28.878,-78.467", "--json"});
   ASSERT_EQ(query.status, 0) << query.err;
@@ -204,7 +204,7 @@ TEST(QueryKinematics, ACurrentThatStopsWavesIsReportedByQueryAndRun) {
     EXPECT_NEAR(blocked[0]["group_speed_m_s"].get<double>(), 3.902, 0.001);
     EXPECT_NEAR(blocked[0]["current_against_m_s"].get<double>(), 4.0, 1e-9);
   }
-  const auto along = test::seaway({"query", writeScene(folder, regularWave("inf")).string(),
+  const auto along = test::seaway({"query", writeWakelessScene(folder, regularWave("inf")).string(),
                                    "--time", "0", "--at", "28.878,-78.467", "--json"});
   EXPECT_EQ(along.err, "");
   EXPECT_TRUE(nlohmann::json::parse(along.out)["sea"]["blocked_octaves"].empty());

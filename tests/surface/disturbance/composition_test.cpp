@@ -114,5 +114,37 @@ TEST(Composition, MotionBelowIsThatOfTheSurfaceAtTheSurfaceAndDiesDown) {
   EXPECT_EQ(motion[2].velocity, glm::dvec3(0.0));
 }
 
+TEST(Composition, SplashesAndSmoothedWaterAreInSamplesAndInMotionBelow) {
+  WaterSurface water(sea());
+  const glm::dvec2 place(3.0, 4.0);
+  water.setEvents(std::make_shared<const SurfaceEvents>(
+      std::vector<Splash>{{.place = place, .time = 9.0}}, Rain{}, SurfaceEvents::Water{}));
+  const SurfaceAtTime now = water.at(10.0);
+  SurfaceSample waves;
+  water.waves().sample(std::span(&place, 1), 10.0, std::span(&waves, 1));
+  const SurfaceSample both = now.sample(place, {.orbitalVelocity = true});
+  EXPECT_NE(both.height, waves.height);
+  EXPECT_EQ(water.sample(place, 10.0).height, both.height);
+  const std::vector<glm::dvec3> column{{place, both.height}, {place, both.height - 30.0}};
+  std::vector<WaterKinematics> motion(2);
+  sampleKinematics(now, column, motion);
+  EXPECT_EQ(motion[0].surfaceHeight, both.height);
+  EXPECT_NEAR(motion[0].pressure, 0.0, 1e-3 * seaWaterDensity * standardGravity);
+  EXPECT_NEAR(glm::length(motion[0].velocity - both.orbitalVelocity), 0.0, 1e-5);
+  std::vector<WaterKinematics> without(2);
+  sampleKinematics(now.waves(), column, without);
+  // The surface above is some centimetres higher, and the waves' motion with it: k Δη e⁻⁶ of 0.3 m/s.
+  EXPECT_NEAR(glm::length(motion[1].velocity - without[1].velocity), 0.0, 1e-5);
+}
+
+TEST(Composition, AFieldWithoutLayersOrEventsIsSampledAsBefore) {
+  WaterSurface water(sea());
+  std::vector<SurfaceSample> before(points.size()), after(points.size());
+  water.sample(points, 10.0, before);
+  water.setDetail(std::make_shared<const SurfaceDetail>());
+  water.sample(points, 10.0, after);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(before[i].height, after[i].height);
+}
+
 }  // namespace
 }  // namespace seaway

@@ -439,6 +439,27 @@ TEST(WakeSystemHard, GoingBackInTimeRebuildsTheWakeOfThen) {
   EXPECT_EQ(heights(*system.latest(), 4.0, points), heights(*then.latest(), 4.0, points));
 }
 
+TEST(WakeSystemHard, AWholeDayLeavesNoMemoryBehind) {
+  WakeSystemSettings settings;
+  settings.cell = 2.0;  // one window of 64 cells: 400 000 steps would take a minute otherwise
+  settings.window = 128.0;
+  WakeSystem system(settings);
+  const std::uint32_t vessel = system.addVessel(launch());
+  std::size_t afterAnHour = 0, largest = 0;
+  for (int t = 0; t <= 24 * 3600; ++t) {
+    const WakePose pose = sailing(t, 4.0);
+    system.record(vessel, pose);
+    // Somebody is there for 10 s of every 5 minutes.
+    const bool near = t % 300 < 10;
+    system.advance(t, near ? std::vector<WakeListener>{{pose.position, 5.0, 0}}
+                           : std::vector<WakeListener>{});
+    largest = std::max(largest, system.memoryBytes());
+    if (t == 3600) afterAnHour = largest;
+  }
+  EXPECT_GT(afterAnHour, 0u);
+  EXPECT_EQ(largest, afterAnHour);
+}
+
 TEST(WakeSystemHard, ARemovedVesselsWavesLiveOn) {
   WakeSystem system(small());
   const std::uint32_t vessel = sail(system, 6.0, 0.1);

@@ -1,0 +1,98 @@
+#include "render/grid_cover.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace seaway::render {
+namespace {
+
+const SurfaceCover* coverOf(const SurfaceAtTime& water) {
+  const SurfaceDetail* detail = water.extras().detail.get();
+  return detail && !detail->cover.empty() ? &detail->cover : nullptr;
+}
+
+}  // namespace
+
+void GridCover::sample(const SurfaceAtTime& water, std::span<const double> x,
+                       std::span<const double> y) {
+  any = damps = false;
+  const SurfaceCover* cover = coverOf(water);
+  if (!cover) return;
+  const std::size_t count = x.size();
+  std::array<glm::dvec2, gridChunk> points;
+  glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
+  for (std::size_t i = 0; i < count; ++i) {
+    points[i] = {x[i], y[i]};
+    least = glm::min(least, points[i]);
+    most = glm::max(most, points[i]);
+  }
+  const auto read = [&](const std::shared_ptr<const SurfaceLayer>& layer,
+                        std::array<float, gridChunk>& to) {
+    const bool near = layer && layer->mayCover(least, most, water.time());
+    const auto values = std::span(to).first(count);
+    if (near) {
+      layer->sample(std::span(points).first(count), water.time(), values);
+    } else {
+      std::fill(values.begin(), values.end(), 0.0f);
+    }
+    return near;
+  };
+  const bool foams = read(cover->foam, foam), smooths = read(cover->smooth, smooth);
+  const bool oils = read(cover->oil, oil);
+  any = foams || smooths || oils;
+  damps = smooths || oils;
+  for (std::size_t i = 0; damps && i < count; ++i) {
+    damped[i] = 1.0f - (1.0f - smooth[i]) * (1.0f - oil[i]);
+  }
+}
+
+std::uint32_t packCover(glm::vec3 cover) {
+  const glm::uvec3 bytes(glm::clamp(cover, 0.0f, 1.0f) * 255.0f + 0.5f);
+  return bytes.x | bytes.y << 8 | bytes.z << 16;
+}
+
+std::uint32_t GridCover::packed(std::size_t i) const {
+  return packCover({foam[i], smooth[i], oil[i]});
+}
+
+void addExtras(const SurfaceAtTime& water, std::span<const double> x, std::span<const double> y,
+               double keptWavelength, const GridCover& cover, const GridWaves& waves) {
+  const SurfaceExtras& extras = water.extras();
+  if (cover.any && cover.damps && keptWavelength < SurfaceDetail::dampedWavelength) {
+    std::array<float, gridChunk> height, slopeX, slopeY;
+    const std::size_t count = x.size();
+    water.waves().sample(x, y,
+                         {std::span(height).first(count),
+                          std::span(slopeX).first(count),
+                          std::span(slopeY).first(count),
+                          {}},
+                         {.shortestWavelength = SurfaceDetail::dampedWavelength});
+    for (std::size_t i = 0; i < count; ++i) {
+      const float part = cover.damped[i];
+      waves.height[i] += part * (height[i] - waves.height[i]);
+      waves.slopeX[i] += part * (slopeX[i] - waves.slopeX[i]);
+      waves.slopeY[i] += part * (slopeY[i] - waves.slopeY[i]);
+    }
+  }
+  if (extras.events) {
+    extras.events->addSplashes(x, y, water.time(), keptWavelength,
+                               {waves.height, waves.slopeX, waves.slopeY, {}});
+  }
+  if (!extras.detail) return;
+  for (const auto& sheet : extras.detail->ripples) {
+    sheet->addTo(x, y, water.time(), keptWavelength,
+                 {waves.height, waves.slopeX, waves.slopeY, {}});
+  }
+}
+
+glm::vec3 coverAt(const SurfaceAtTime& water, glm::dvec2 point) {
+  const SurfaceCover* cover = coverOf(water);
+  if (!cover) return glm::vec3(0.0f);
+  const auto read = [&](const std::shared_ptr<const SurfaceLayer>& layer) {
+    return layer ? layer->coverAt(point, water.time()) : 0.0f;
+  };
+  return {read(cover->foam), read(cover->smooth), read(cover->oil)};
+}
+
+}  // namespace seaway::render

@@ -1,0 +1,189 @@
+#include "sim_bridge/cigi/sea_water.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "surface/angles.h"
+#include "surface/dispersion.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge::cigi {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A wavelength may differ by this part from the one that its period has before it is told.
+constexpr double lengthTolerance = 0.05;
+
+bool isWater(SampleStatus status) {
+  return !has(status, SampleStatus::notFinite) && !has(status, SampleStatus::outOfRange) &&
+         !has(status, SampleStatus::dry);
+}
+
+double frequencyOf(const HostWave& wave, double depth) {
+  if (wave.period > 0.0) return 1.0 / wave.period;
+  return angularFrequency(2.0 * pi / wave.wavelength, depth) / (2.0 * pi);
+}
+
+/// Whether a wave's length goes with its period; one of them alone always does.
+bool isConsistent(const HostWave& wave, double depth) {
+  if (!(wave.period > 0.0) || !(wave.wavelength > 0.0)) return true;
+  const double length = 2.0 * pi / waveNumber(2.0 * pi / wave.period, depth);
+  return std::abs(wave.wavelength / length - 1.0) <= lengthTolerance;
+}
+
+}  // namespace
+
+SeaWater::SeaWater(ServedSea& sea)
+    : sea_(sea), placer_(sea.geodesy()), latitude_deg_(nan), longitude_deg_(nan) {}
+
+const PlacedPoint& SeaWater::baseOf(double latitude_deg, double longitude_deg) {
+  if (latitude_deg_ != latitude_deg || longitude_deg_ != longitude_deg) {
+    base_ = placer_.place(latitude_deg, longitude_deg);
+    latitude_deg_ = latitude_deg;
+    longitude_deg_ = longitude_deg;
+  }
+  return base_;
+}
+
+std::uint32_t SeaWater::hullOf(const WaterPoint& point) const {
+  if (point.host == 0 || hulls_.empty()) return 0;
+  const auto found = hulls_.find({point.host, point.entity});
+  return found == hulls_.end() ? 0 : found->second;
+}
+
+void SeaWater::place(std::span<const WaterPoint> points) {
+  places_.clear();
+  bases_.clear();
+  runs_.clear();
+  for (const WaterPoint& point : points) {
+    const PlacedPoint& base = baseOf(point.latitude_deg, point.longitude_deg);
+    const std::uint32_t hull = hullOf(point);
+    if (runs_.empty() || runs_.back().hull != hull) runs_.push_back({places_.size(), 0, hull});
+    ++runs_.back().count;
+    places_.push_back(base.position + base.planeFromTrue({point.east, point.north}));
+    bases_.push_back(base);
+  }
+}
+
+void SeaWater::advanceWakes(double t) {
+  if (hulls_.empty() || !std::isfinite(t)) return;
+  listeners_.clear();
+  for (const Run& run : runs_) {
+    glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
+    for (std::size_t i = run.from; i < run.from + run.count; ++i) {
+      if (!WaveField::serves(places_[i], t)) continue;
+      least = glm::min(least, places_[i]);
+      most = glm::max(most, places_[i]);
+    }
+    if (least.x > most.x) continue;
+    listeners_.push_back({0.5 * (least + most), 0.5 * glm::length(most - least), run.hull});
+  }
+  sea_.advanceWakes(t, listeners_);
+}
+
+void SeaWater::heights(double t, std::span<const WaterPoint> points, std::span<WaterHeight> out) {
+  place(points);
+  advanceWakes(t);
+  samples_.resize(points.size());
+  const auto surface = sea_.surface();
+  for (const Run& run : runs_) {
+    surface->sample(std::span(places_).subspan(run.from, run.count), t,
+                    std::span(samples_).subspan(run.from, run.count), {.excludeVessel = run.hull});
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SurfaceSample& sample = samples_[i];
+    const glm::dvec2 slope = bases_[i].trueFromPlane(sample.slope);
+    const bool valid = isWater(sample.status) && std::isfinite(sample.height);
+    out[i] = {sample.height, slope.x, slope.y, valid};
+  }
+}
+
+void SeaWater::velocities(double t, std::span<const WaterPoint> points,
+                          std::span<WaterVelocity> out) {
+  place(points);
+  advanceWakes(t);
+  const auto surface = sea_.surface();
+  const glm::dvec2 current = surface->waves().settings().current;
+  points_.clear();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points_.emplace_back(places_[i], points[i].height);
+  }
+  motions_.resize(points.size());
+  const SurfaceAtTime now = surface->at(std::isfinite(t) ? t : 0.0);
+  for (const Run& run : runs_) {
+    sampleKinematics(now, std::span(points_).subspan(run.from, run.count),
+                     std::span(motions_).subspan(run.from, run.count), {.excludeVessel = run.hull});
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const WaterKinematics& motion = motions_[i];
+    const glm::dvec2 level =
+        bases_[i].trueFromPlane(glm::dvec2(motion.velocity.x, motion.velocity.y) + current);
+    const bool ashore = now.outline() && !now.outline()->contains(places_[i]);
+    const bool valid = std::isfinite(t) && !ashore && isWater(motion.status) &&
+                       std::isfinite(level.x) && std::isfinite(motion.velocity.z);
+    out[i] = {motion.surfaceHeight, {level.x, level.y, motion.velocity.z}, valid};
+  }
+}
+
+void SeaWater::wavesAsked(std::uint32_t, double, std::span<const HostWave> waves) {
+  if (waves.empty()) return sea_.restoreOctaves();
+  const double depth = sea_.scene().sea.depth;
+  std::vector<Octave> octaves;
+  for (const HostWave& wave : waves) {
+    if (!isConsistent(wave, depth) && !std::exchange(warnedOfLength_, true)) {
+      spdlog::warn(
+          "CIGI: a wave of {} s is not {} m long in this depth: the period counts; more of these "
+          "are not told",
+          wave.period, wave.wavelength);
+    }
+    const double toward = sea_.geodesy().directionFromTrueHeading({0.0, 0.0}, wave.toward_deg);
+    octaves.push_back(makeRegularWave(0.5 * wave.height, frequencyOf(wave, depth), toward,
+                                      radiansFromDegrees(wave.phase_deg), depth));
+  }
+  try {
+    sea_.setOctaves(std::move(octaves));
+  } catch (const InputError& fault) {
+    spdlog::warn("CIGI: the sea stays as it was; a host's waves are no field: {}", fault.what());
+  }
+}
+
+void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEntity> entities) {
+  std::set<std::uint16_t> present;
+  for (const HostEntity& entity : entities) {
+    if (entity.entity >= sea_.scene().vessels.size()) continue;
+    const PlacedPoint& base = baseOf(entity.place.latitude_deg, entity.place.longitude_deg);
+    const bool placed = WaveField::serves(base.position, t) && std::isfinite(entity.heading_deg);
+    if (!placed) continue;
+    present.insert(entity.entity);
+    const HullKey key{host, entity.entity};
+    if (!hulls_.contains(key)) {
+      const std::uint32_t hull = sea_.addHull(entity.entity);
+      if (hull != 0) hulls_[key] = hull;
+    }
+    const auto hull = hulls_.find(key);
+    if (hull == hulls_.end()) continue;
+    const double heading =
+        sea_.geodesy().directionFromTrueHeading(base.position, entity.heading_deg);
+    sea_.record(hull->second, {t, base.position, heading, 1.0});
+  }
+  std::erase_if(hulls_, [&](const auto& entry) {
+    const bool gone = entry.first.first == host && !present.contains(entry.first.second);
+    if (gone) sea_.removeHull(entry.second);
+    return gone;
+  });
+}
+
+void SeaWater::hostGone(std::uint32_t host) {
+  std::erase_if(hulls_, [&](const auto& entry) {
+    if (entry.first.first != host) return false;
+    sea_.removeHull(entry.second);
+    return true;
+  });
+}
+
+}  // namespace seaway::bridge::cigi

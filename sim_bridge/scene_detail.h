@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim_bridge/scene/scene.h"
+#include "sim_bridge/vessel/course.h"
+#include "surface/disturbance/layers/vessel_trail.h"
+#include "surface/disturbance/surface_detail.h"
+#include "surface/effects.h"
+#include "surface/geodesy.h"
+#include "surface/water_surface.h"
+
+namespace seaway::bridge {
+
+struct Sea;
+
+/// A scene's splashes and rain, as far as its effects are not off; null where there are none.
+/// Throws InputError for events that cannot be.
+std::shared_ptr<const SurfaceEvents> sceneEvents(const Scene& scene, const Geodesy& geodesy,
+                                                 const SurfaceEvents::Water& water);
+
+/// The library's source of ripples that a scene's is.
+RippleSource rippleSource(const SceneRipples& ripples, const Geodesy& geodesy);
+
+/// What lies on a scene's water and ripples it, followed through time: vessels' trails, the foam of
+/// splashes, layers of the scene, pools of ripples.
+///
+/// Trails are painted in strokes at times of a grid of their own, from the past that a trail shows
+/// on, before the scene's epoch too: whoever begins when sees the same. Nothing called for: nothing
+/// is held. A copy is a snapshot; it shares tiles until one of the two moves on.
+class SceneDetail {
+ public:
+  /// Reads the files of layers. `scene` and `sea` must outlive this object and its copies. Throws
+  /// InputError for a file that cannot be read.
+  SceneDetail(const Scene& scene, const Sea& sea);
+
+  /// Brings all to time `t`, later than before. Charges `ledger`.
+  void advance(double t, EffectLedger* ledger = nullptr);
+
+  /// As of the last `advance`; null where there is nothing.
+  std::shared_ptr<const SurfaceDetail> detail() const { return detail_; }
+
+ private:
+  struct Patch {
+    double time;
+    std::function<void(SceneDetail&)> paint;
+  };
+  void addPatches();
+  bool paint(double t, EffectLedger* ledger);
+  void paintStroke(long long stroke);
+  SurfaceLayer& layer(LayerKind kind);
+  bool advancePools(double t, EffectLedger* ledger);
+  void report(double t, EffectLedger* ledger) const;
+  std::shared_ptr<const SurfaceDetail> snapshot() const;
+
+  const Scene* scene_;
+  const Sea* sea_;
+  struct Trail {
+    TrailHull hull;
+    Course course;
+  };
+  std::vector<Trail> trails_;   // of vessels under way
+  std::vector<Patch> patches_;  // by time; those before nextPatch_ are painted
+  std::size_t nextPatch_ = 0;
+  std::optional<SurfaceLayer> foam_, smooth_, oil_;
+  std::vector<RipplePool> pools_;
+  std::optional<long long> nextStroke_;
+  std::shared_ptr<const SurfaceDetail> detail_;
+};
+
+}  // namespace seaway::bridge

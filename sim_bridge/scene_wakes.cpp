@@ -1,0 +1,188 @@
+#include "sim_bridge/scene_wakes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "sim_bridge/scene/vessel_course.h"
+#include "sim_bridge/vessel/wake_footprint.h"
+#include "surface/constants.h"
+#include "surface/disturbance/wake_system.h"
+
+namespace seaway::bridge {
+namespace {
+
+/// A camera sees wakes whose windows begin within this distance, m: the waves of a launch, 20 m
+/// long, are as wide as a pixel or two of a frame there.
+constexpr double cameraReach = 2000.0;
+
+/// A hull presses in full until it carries less than half its weight: leaps and heave in a seaway
+/// alike.
+constexpr double lightestInFull = 0.5;
+
+EffectSetting settingOf(const Scene& scene) {
+  return scene.effects[static_cast<std::size_t>(Effect::wake)];
+}
+
+bool makesWaves(const SceneVessel& vessel, const Sea& sea) {
+  const bool moves = vessel.speed != 0.0 || vessel.turn_deg != 0.0 ||
+                     sea.surface.waves().settings().current != glm::dvec2(0.0);
+  return moves && vessel.model.wake.strength > 0.0;
+}
+
+std::vector<WakeLevel> cascadeFor(const Scene& scene, const BoxHull& hull) {
+  const WakeAccuracy& accuracy = scene.accuracy.wakes;
+  return cascadeOf(std::max(hull.length, hull.beam), scene.sea.depth, accuracy.cell,
+                   accuracy.window);
+}
+
+WakeSystemSettings settingsFor(const Scene& scene, const Sea& sea) {
+  WakeSystemSettings settings;
+  settings.depth = scene.sea.depth;
+  settings.current = sea.surface.waves().settings().current;
+  settings.mostWakes = static_cast<std::size_t>(scene.accuracy.wakes.most);
+  settings.cell = scene.accuracy.wakes.cell;
+  settings.window = scene.accuracy.wakes.window;
+  return settings;
+}
+
+WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) {
+  const CoursePoint place = vessel.course().at(t);
+  const double carried = vessel.submergedVolume() * seaWaterDensity / vessel.hull().mass();
+  return {t, place.position, place.direction,
+          description.model.wake.strength * std::clamp(carried / lightestInFull, 0.0, 1.0)};
+}
+
+}  // namespace
+
+struct SceneWakes::Running {
+  WakeSystem system;
+  WaterSurface surface;
+  std::vector<std::uint32_t> handles;  // by vessel; 0: makes no waves
+
+  Running(const WakeSystemSettings& settings, const WaterSurface& water)
+      : system(settings), surface(water) {
+    surface.setDisturbances(system.feed());
+  }
+  Running(const Running& other)
+      : system(other.system), surface(other.surface), handles(other.handles) {
+    surface.setDisturbances(system.feed());
+  }
+};
+
+SceneWakes::SceneWakes(const Scene& scene, const Sea& sea) : scene_(&scene), sea_(&sea) {}
+
+const WaterSurface& SceneWakes::surface() const {
+  return running_ ? running_->surface : sea_->surface;
+}
+
+std::uint32_t SceneWakes::ownHandle(std::size_t index) const {
+  if (!running_ || scene_->vessels[index].model.wake.feltByItself) return 0;
+  return running_->handles[index];
+}
+
+double SceneWakes::memory() const {
+  double longest = 0.0;
+  if (settingOf(*scene_) == EffectSetting::off || scene_->vessels.size() < 2) return longest;
+  for (const SceneVessel& vessel : scene_->vessels) {
+    if (!makesWaves(vessel, *sea_)) continue;
+    for (const WakeLevel& level : cascadeFor(*scene_, vessel.model.hull)) {
+      longest = std::max(longest, memoryOf(level));
+    }
+  }
+  return longest;
+}
+
+const char* SceneWakes::idleReason() const {
+  const auto& vessels = scene_->vessels;
+  const bool any = std::any_of(vessels.begin(), vessels.end(), [&](const SceneVessel& vessel) {
+    return makesWaves(vessel, *sea_);
+  });
+  if (!any) return "no vessel is under way";
+  const bool alone = vessels.size() == 1 && !vessels[0].model.wake.feltByItself &&
+                     audience_.cameras.empty() && audience_.places.empty();
+  if (alone && settingOf(*scene_) != EffectSetting::on) return "nobody else is there";
+  return nullptr;
+}
+
+void SceneWakes::start(double t, std::span<const Vessel> vessels) {
+  running_ = std::make_shared<Running>(settingsFor(*scene_, *sea_), sea_->surface);
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    const SceneVessel& description = scene_->vessels[i];
+    running_->handles.push_back(0);
+    if (!makesWaves(description, *sea_)) continue;
+    const std::uint32_t handle = running_->system.addVessel(wakeFootprint(description.model));
+    running_->handles.back() = handle;
+    // On the steps' own times, so that the log does not depend on when it begins.
+    const double step = cascadeFor(*scene_, description.model.hull).front().step;
+    const double first = std::floor((t - running_->system.memory(handle)) / step) - 1.0;
+    for (double n = first; n * step < t - 1e-3 * step; n += 1.0) {
+      running_->system.record(handle, poseAt(n * step, description, vessels[i]));
+    }
+  }
+}
+
+void SceneWakes::record(double t, std::span<const Vessel> vessels) {
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    if (running_->handles[i] == 0) continue;
+    running_->system.record(running_->handles[i], poseAt(t, scene_->vessels[i], vessels[i]));
+  }
+}
+
+std::vector<WakeListener> SceneWakes::listeners(double t, std::span<const Vessel> vessels) const {
+  std::vector<WakeListener> all = audience_.places;
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    const glm::dvec2 place = vessels[i].course().at(t).position;
+    const double radius = 0.5 * vessels[i].hull().length;
+    all.push_back({place, radius, ownHandle(i)});
+    if (settingOf(*scene_) == EffectSetting::on) all.push_back({place, radius, 0});
+  }
+  for (const SceneCamera& camera : audience_.cameras) {
+    if (camera.place) {
+      const CameraPlace& place = *camera.place;
+      all.push_back(
+          {sea_->geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg).position,
+           cameraReach, 0});
+      continue;
+    }
+    for (std::size_t i = 0; i < vessels.size(); ++i) {
+      if (scene_->vessels[i].name != camera.mount) continue;
+      all.push_back({vessels[i].course().at(t).position, cameraReach, 0});
+    }
+  }
+  return all;
+}
+
+void SceneWakes::advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
+  if (settingOf(*scene_) == EffectSetting::off) return;
+  if (const char* reason = idleReason()) {
+    if (ledger) ledger->decide(Effect::wake, false, reason);
+    running_ = nullptr;
+    return;
+  }
+  if (!running_) {
+    start(t, vessels);
+  } else if (running_.use_count() > 1) {
+    running_ = std::make_shared<Running>(*running_);
+  }
+  record(t, vessels);
+  running_->system.advance(t, listeners(t, vessels), ledger);
+}
+
+bool wakesReach(const Scene& scene, const Sea& sea, double t,
+                std::span<const WakeListener> places) {
+  if (settingOf(scene) == EffectSetting::off || t < 0.0) return false;
+  for (const SceneVessel& vessel : scene.vessels) {
+    if (!makesWaves(vessel, sea)) continue;
+    const glm::dvec2 at = courseOf(vessel, sea.geodesy).at(t).position;
+    const double reach = reachOf(cascadeFor(scene, vessel.model.hull));
+    for (const WakeListener& place : places) {
+      const glm::dvec2 apart = glm::abs(place.position - at) - place.radius;
+      if (std::max(apart.x, apart.y) < reach) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace seaway::bridge

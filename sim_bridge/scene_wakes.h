@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim_bridge/scene/scene.h"
+#include "sim_bridge/scene/sea.h"
+#include "sim_bridge/vessel/vessel.h"
+#include "surface/disturbance/wake_listener.h"
+#include "surface/effects.h"
+
+namespace seaway::bridge {
+
+/// Who feels or sees a scene's wakes beside its vessels.
+struct Audience {
+  std::vector<SceneCamera> cameras;
+  std::vector<WakeListener> places;
+};
+
+/// The wakes of a scene's vessels, and the water that they disturb.
+///
+/// Vessels under way leave waves; all have sailed their courses before the scene's epoch too, so
+/// that their waves are whole from the start. A scene in which nobody is under way, or nobody else
+/// is there to feel or see it, holds nothing. A copy is a snapshot: it shares what it can until one
+/// of the two moves on.
+class SceneWakes {
+ public:
+  /// `scene` and `sea` must outlive this object and its copies.
+  SceneWakes(const Scene& scene, const Sea& sea);
+
+  /// Waves and wakes, as they were at the last `advance`.
+  const WaterSurface& surface() const;
+
+  /// Handle of vessel `index` for SampleOptions::excludeVessel: 0 where it feels all waves.
+  std::uint32_t ownHandle(std::size_t index) const;
+
+  void setAudience(Audience audience) { audience_ = std::move(audience); }
+
+  /// Notes where the vessels are at `t`, on their courses, and brings the wakes there.
+  void advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger);
+
+  /// How long vessels feel what another has done, s; 0 where none makes waves for another.
+  double memory() const;
+
+ private:
+  struct Running;
+  const char* idleReason() const;
+  void start(double t, std::span<const Vessel> vessels);
+  void record(double t, std::span<const Vessel> vessels);
+  std::vector<WakeListener> listeners(double t, std::span<const Vessel> vessels) const;
+
+  const Scene* scene_;
+  const Sea* sea_;
+  Audience audience_;
+  std::shared_ptr<Running> running_;  // written to by its only owner
+};
+
+/// Whether a vessel under way at `t` is so near to one of `places` that they may feel its waves.
+bool wakesReach(const Scene& scene, const Sea& sea, double t, std::span<const WakeListener> places);
+
+}  // namespace seaway::bridge

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+// What a sea that may be disturbed costs while nothing disturbs it, in instructions that valgrind
+// counts; wall time would tell of the machine instead.
+namespace seaway {
+namespace {
+
+/// Instructions of sample_counted with these arguments; -1 where they cannot be counted.
+double instructionsOf(const std::string& arguments) {
+  const std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " +
+                              std::string(SEAWAY_SAMPLE_COUNTED) + " " + arguments + " 2>&1";
+  FILE* const pipe = popen(command.c_str(), "r");
+  if (!pipe) return -1.0;
+  double count = -1.0;
+  char line[512];
+  while (std::fgets(line, sizeof line, pipe)) {
+    const std::string text = line;
+    const std::size_t at = text.find("Collected : ");
+    if (at != std::string::npos) count = std::strtod(text.c_str() + at + 12, nullptr);
+  }
+  return pclose(pipe) == 0 ? count : -1.0;
+}
+
+TEST(IdleCost, SamplingRunsTheInstructionsOfASeaWithoutTheFeature) {
+  if (std::system("valgrind --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no valgrind";
+  for (const char* points : {"1", "1024"}) {
+    const std::string repeats = std::string(points) == "1" ? " 20000" : " 200";
+    const double nothing = instructionsOf(std::string("plain ") + points + " 0");
+    const double plain = instructionsOf(std::string("plain ") + points + repeats) - nothing;
+    const double idle = instructionsOf(std::string("idle ") + points + repeats) - nothing;
+    ASSERT_GT(nothing, 0.0);
+    ASSERT_GT(plain, 1e7);
+    std::printf("%s points: %.4g instructions a call without, %.3g %% more with\n", points,
+                plain / std::stod(repeats), 100.0 * (idle / plain - 1.0));
+    EXPECT_LT(idle, 1.01 * plain) << points;
+  }
+}
+
+}  // namespace
+}  // namespace seaway

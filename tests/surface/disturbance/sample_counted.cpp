@@ -1,0 +1,33 @@
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "surface/disturbance/wake_system.h"
+#include "surface/water_surface.h"
+
+/// sample_counted plain|idle POINTS TIMES: samples a sea of twelve octaves so often; `idle` with a
+/// wake system that has nothing to tell. For idle_cost_test.cpp.
+int main(int count, char** arguments) {
+  using namespace seaway;
+  if (count != 4) return 2;
+  const bool idle = std::strcmp(arguments[1], "idle") == 0;
+  std::vector<Octave> octaves;
+  for (int i = 0; i < 12; ++i)
+    octaves.push_back(makeGroupOctave(0.1, 0.1 + 0.03 * i, 0.02, 0.2 * i, 0.4));
+  WaterSurface water{WaveField(octaves)};
+  WakeSystem wakes;
+  const std::uint32_t vessel = wakes.addVessel(HullFootprint::box(12.0, 3.0, 0.5));
+  wakes.record(vessel, {0.0, {0.0, 0.0}, 0.0, 1.0});
+  wakes.advance(0.0, {});
+  if (idle) water.setDisturbances(wakes.feed());
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < std::atoi(arguments[2]); ++i) points.emplace_back(0.7 * i, -0.3 * i);
+  std::vector<SurfaceSample> samples(points.size());
+  double sum = 0.0;
+  const SurfaceAtTime now = water.at(1.0);
+  for (int i = 0; i < std::atoi(arguments[3]); ++i) {
+    now.sample(points, samples);
+    sum += samples.back().height;
+  }
+  return sum == 1e9 ? 1 : 0;
+}
