@@ -195,6 +195,20 @@ void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> poin
   }
 }
 
+double disturbanceHead(const SurfaceAtTime& now, glm::dvec2 point, double stretched,
+                       std::uint32_t excludeVessel) noexcept {
+  const DisturbanceState* state = now.disturbances();
+  if (!state) return 0.0;
+  double head = 0.0;
+  for (const VesselWaves& wake : state->wakes()) {
+    if (excludeVessel != 0 && wake.vessel == excludeVessel) continue;
+    if (!(wake.meanWaveNumber > 0.0)) continue;
+    const DepthDecay decay(wake.meanWaveNumber, now.waves().field().settings().depth, stretched);
+    head += state->motion(wake, point, now.time()).height * decay.pressure;
+  }
+  return head;
+}
+
 void sampleKinematicsReference(const WaveField& waves, std::span<const glm::dvec3> points, double t,
                                std::span<WaterKinematics> out) noexcept {
   const OctaveLists lists = waves.lists();

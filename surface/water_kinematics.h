@@ -42,6 +42,11 @@ void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points
 void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> points,
                       std::span<WaterKinematics> out, const SampleOptions& options = {}) noexcept;
 
+/// Pressure head of the disturbances at a point below the surface, m: their height there times its
+/// decay with depth, as sampleKinematics has it. `stretched` ≤ 0 is Wheeler's height z', m.
+double disturbanceHead(const SurfaceAtTime& now, glm::dvec2 point, double stretched,
+                       std::uint32_t excludeVessel) noexcept;
+
 /// The same as the first in double precision throughout, octave by octave as the equations read, some 0.1 µs a
 /// point and octave: the truth that `sampleKinematics` is tested against.
 void sampleKinematicsReference(const WaveField& waves, std::span<const glm::dvec3> points, double t,

@@ -18,6 +18,8 @@ namespace seaway {
 /// What disturbs a sea, as WakeSystem publishes it.
 using DisturbanceFeed = Published<DisturbanceState>;
 
+class WaterSurface;
+
 /// What disturbs a sea beside wakes: by formula, and as pictures of the surface about a time. Null:
 /// nothing.
 struct SurfaceExtras {
@@ -51,6 +53,10 @@ class SurfaceAtTime {
         disturbances_(std::move(disturbances)),
         outline_(outline),
         extras_(std::move(extras)) {}
+
+  /// Prepares this object for `surface` at another time, with the disturbances of now: as
+  /// WaterSurface::at, but allocates only for a field with more octaves. Not while others sample.
+  void moveTo(const WaterSurface& surface, double t);
 
   double time() const { return waves_.time(); }
   const FieldAtTime& waves() const { return waves_; }
@@ -193,5 +199,12 @@ class WaterSurface {
   std::shared_ptr<const WaterOutline> outline_;
   SurfaceExtras extras_;
 };
+
+inline void SurfaceAtTime::moveTo(const WaterSurface& surface, double t) {
+  waves_.moveTo(surface.waves(), t);
+  disturbances_ = surface.disturbances();
+  outline_ = surface.outline();
+  extras_ = surface.extras();
+}
 
 }  // namespace seaway

@@ -12,10 +12,12 @@
 #include "sim_bridge/commands/cost.h"
 #include "sim_bridge/commands/explain.h"
 #include "sim_bridge/commands/fit.h"
+#include "sim_bridge/commands/hull.h"
 #include "sim_bridge/commands/layer.h"
 #include "sim_bridge/commands/query.h"
 #include "sim_bridge/commands/render.h"
 #include "sim_bridge/commands/run.h"
+#include "sim_bridge/commands/sail.h"
 #include "sim_bridge/commands/schema_command.h"
 #include "sim_bridge/commands/serve.h"
 #include "sim_bridge/commands/wake.h"
@@ -28,9 +30,9 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,
-    addExplainCommand, addCostCommand,  addBuoyCommand,   addWakeCommand,
-    addLayerCommand,   addServeCommand, addSchemaCommand,
+    addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
+    addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
+    addHullCommand, addSailCommand,  addSchemaCommand,
 };
 
 constexpr int failed = 1;

@@ -81,6 +81,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(2);
     studies.push_back(studyFitOctaves(studyOptions));
+    for (Study& study : studyHullLoads(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(3);
     for (Study& study : studyLayers(studyOptions)) studies.push_back(std::move(study));
     progress.update(4);

@@ -52,6 +52,11 @@ std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options)
 /// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
 Study studyFitOctaves(const StudyOptions& options);
 
+/// Four studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of its
+/// weight against us an evaluation, by columns, by triangles without and with the waves' own
+/// pressure, and by cut-off of short waves.
+std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
+
 /// Three studies of the layers on the water, by the side of their cells: what a launch's trail
 /// costs in MB, in ms to paint and in ns to sample, against finer cells.
 std::vector<Study> studyLayers(const StudyOptions& options);

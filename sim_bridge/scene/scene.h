@@ -99,6 +99,7 @@ struct SceneVessel {
   VesselStart start;
   double speed = 0.0;     ///< over ground, m/s
   double turn_deg = 0.0;  ///< compass degrees per second, positive to starboard
+  std::vector<Place> waypoints;  ///< of `seaway sail`
 };
 
 /// Where a fixed camera stands.

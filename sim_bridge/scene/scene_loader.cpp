@@ -80,6 +80,11 @@ void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geod
     const YamlValue& value = list->values[i];
     requireInGeodesicRange(childOf(value, "start"), geodesy, vessel.start.latitude_deg,
                            vessel.start.longitude_deg);
+    for (std::size_t k = 0; k < vessel.waypoints.size(); ++k) {
+      const Place& waypoint = vessel.waypoints[k];
+      requireInGeodesicRange(value.find("waypoints")->values[k], geodesy, waypoint.latitude_deg,
+                             waypoint.longitude_deg);
+    }
     vessel.model = loadVesselModel(referredFile(*value.find("model"), scene.file));
   }
 }

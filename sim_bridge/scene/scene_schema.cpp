@@ -56,6 +56,8 @@ Mapping<SceneVessel> vesselSchema() {
              "speed over ground, negative astern"),
       number("turn_deg_s", &V::turn_deg, "°/s", Range::within(-90.0, 90.0),
              "rate of turn, positive to starboard"),
+      list("waypoints", &V::waypoints, placeSchema(),
+           "where `seaway sail` steers under the vessel's own power; other commands keep the course"),
   });
 }
 

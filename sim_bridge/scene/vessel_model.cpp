@@ -77,13 +77,19 @@ const Mapping<VesselModel>& vesselModelSchema() {
       text("description", &VesselModel::description, "a line for people"),
       mapping("hull", &VesselModel::hull, boxSchema(), "the box that floats", Need::required),
       mapping("drawing", &VesselModel::drawing, drawingSchema(), "how it looks"),
+      mapping("mesh", &VesselModel::mesh, hullMeshSchema(),
+              "the hull that `seaway sail` takes loads on"),
+      mapping("propeller", &VesselModel::propeller, propellerSchema(), "for `seaway sail`"),
+      mapping("rudder", &VesselModel::rudder, rudderSchema(), "for `seaway sail`"),
       mapping("wake", &VesselModel::wake, wakeSchema(), "the waves it makes under way"),
   });
   return schema;
 }
 
 VesselModel loadVesselModel(const std::filesystem::path& file) {
-  return vesselModelSchema().read(readYaml(file));
+  VesselModel model = vesselModelSchema().read(readYaml(file));
+  model.mesh.folder = file.parent_path();
+  return model;
 }
 
 }  // namespace seaway::bridge

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim_bridge/scene/schema.h"
+#include "sim_bridge/scene/vessel_hull.h"
 #include "sim_bridge/vessel/box_hull.h"
 
 namespace seaway::bridge {
@@ -35,6 +36,9 @@ struct VesselModel {
   std::string description;
   BoxHull hull;
   VesselDrawing drawing;
+  VesselHullMesh mesh;
+  Propeller propeller;  ///< diameter 0: none
+  Rudder rudder;        ///< area 0: none
   VesselWake wake;
 };
 

@@ -122,6 +122,10 @@ class FieldAtTime {
  public:
   FieldAtTime(const WaveField& field, double t);
 
+  /// Prepares this object for another time, or field, anew; allocates only for a field with more
+  /// octaves. Not while others sample.
+  void moveTo(const WaveField& field, double t);
+
   double time() const { return time_; }
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept;
