@@ -57,7 +57,7 @@ std::vector<Study> studyLayers(const StudyOptions& options) {
   const auto places = placesAlong(shorter, options.quick ? 8192 : 65536);
   std::vector<float> exact(places.size()), cover(places.size());
   trailOf(shorter, 0.0625).foam.sample(places, shorter, exact);
-  for (const double cell : {0.125, 0.25, 0.5, 1.0}) {
+  for (const double cell : {1.0, 0.5, 0.25, 0.125}) {
     const LaidTrail compared = trailOf(shorter, cell);
     compared.foam.sample(places, shorter, cover);
     double sum = 0.0;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/number_text.h"
@@ -105,13 +104,15 @@ std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
   const double cell = standard.front().window.cellSize, step = standard.front().step;
   const double scale = cell / 0.5, window = standard.back().window.size();
   const std::vector<glm::dvec2> places = placesAround(vessel.model.hull, scale);
-  const Windows finest{0.5 * cell, window, 0.5 * step, ""};
-  const std::vector<double> truth = Sailed(vessel, depth, finest).heights(places);
-  const std::string of = " of the wake of " + vessel.name + "; truth: cells of " +
-                         numberText(finest.cell) + " m, steps of " + numberText(finest.step) +
-                         " s, " + numberText(window) + " m around";
-  const auto study = [&](std::string name, const std::string& dial, std::vector<Windows> settings) {
-    Study result{std::move(name), dial + of, "% of height", "us/0.1 s", {}};
+  // Each dial against its own finest setting, the others as they are.
+  const auto study = [&](std::string name, const std::string& dial, const Windows& finest,
+                         std::vector<Windows> settings) {
+    const std::vector<double> truth = Sailed(vessel, depth, finest).heights(places);
+    Study result{std::move(name),
+                 dial + " of the wake of " + vessel.name + "; truth: " + finest.setting,
+                 "% of height",
+                 "us/0.1 s",
+                 {}};
     for (const Windows& windows : settings) {
       result.points.push_back(
           measured(windows, vessel, depth, places, truth, options.quick ? 3 : 9));
@@ -131,8 +132,12 @@ std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
   for (const double part : {0.0625, 0.125, 0.25, 1.0}) {
     windows.push_back({cell, part * window, step, label("window", part * window, "m")});
   }
-  return {study("wake_cell", "cell size", cells), study("wake_step", "step", steps),
-          study("wake_window", "window", windows)};
+  return {study("wake_cell", "cell size",
+                {0.5 * cell, window, step, label("cells of", 0.5 * cell, "m")}, cells),
+          study("wake_step", "step",
+                {cell, window, 0.25 * step, label("steps of", 0.25 * step, "s")}, steps),
+          study("wake_window", "window",
+                {cell, 2.0 * window, step, label("a window of", 2.0 * window, "m")}, windows)};
 }
 
 }  // namespace seaway::bridge

@@ -22,7 +22,8 @@ TEST(Swimming, IsNothingForACameraAtRestAndForAStillSea) {
   EffectLedger effects;
   const auto technique = makeSoftwareGrid({.grid = {48, 48}});
   const WaterSurface waves = test::groupSea(1.12, 5.6), still = test::stillSea();
-  EXPECT_EQ(swimming(*technique, viewOf(waves, effects), {}, 2), 0.0);
+  // One grid twice, but placed from different origins: rounding.
+  EXPECT_LT(swimming(*technique, viewOf(waves, effects), {}, 2), 1e-9);
   // Flat water is the same by any grid, but for chords of its curvature and single precision.
   EXPECT_LT(swimming(*technique, viewOf(still, effects), ahead, 2), 2e-3);
   EXPECT_LT(swimming(*technique, viewOf(still, effects), turning, 2), 2e-3);
@@ -56,8 +57,9 @@ TEST(Swimming, IsSeenByAGridThatStaysWithTheLastCamera) {
   const auto own = waterPixels();
   view.gridCamera = &beside;
   const auto others = waterPixels();
+  // It stands 40 m ahead: what lies between, most of this picture, is not in its grid.
   EXPECT_LT(others, 0.95 * static_cast<double>(own));
-  EXPECT_GT(others, 0.3 * static_cast<double>(own));
+  EXPECT_GT(others, 0.05 * static_cast<double>(own));
 }
 
 }  // namespace

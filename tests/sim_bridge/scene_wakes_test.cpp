@@ -104,7 +104,7 @@ TEST(SceneWakes, AreWholeFromTheStart) {
 }
 
 TEST(SceneWakes, CostNothingWhereNobodyElseIs) {
-  const Waters alone(sceneOf(""));
+  const Waters alone(sceneOf("", "effects: {trail: off}\n"));
   EffectLedger ledger(alone.scene.effects);
   Simulation simulation = alone.start();
   simulation.step(&ledger);

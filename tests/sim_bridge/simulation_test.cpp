@@ -127,7 +127,8 @@ TEST(Simulation, LedgerTellsOfWavesAndMotion) {
   EffectLedger ledger(scene.effects);
   Simulation(scene, sea).step(&ledger);
   for (const EffectReport& report : ledger.report()) {
-    const bool runs = report.effect == Effect::waves || report.effect == Effect::vesselMotion;
+    const bool runs = report.effect == Effect::waves || report.effect == Effect::vesselMotion ||
+                      report.effect == Effect::trail;
     EXPECT_EQ(report.state, runs ? EffectState::on : EffectState::idle);
   }
 }

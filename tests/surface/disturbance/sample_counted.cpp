@@ -5,6 +5,19 @@
 #include "surface/disturbance/wake_system.h"
 #include "surface/water_surface.h"
 
+/// What is counted: valgrind --toggle-collect=sampleManyTimes.
+extern "C" [[gnu::noinline]] double sampleManyTimes(const seaway::SurfaceAtTime& now,
+                                                    const std::vector<glm::dvec2>& points,
+                                                    std::vector<seaway::SurfaceSample>& samples,
+                                                    int times) {
+  double sum = 0.0;
+  for (int i = 0; i < times; ++i) {
+    now.sample(points, samples);
+    sum += samples.back().height;
+  }
+  return sum;
+}
+
 /// sample_counted plain|idle POINTS TIMES: samples a sea of twelve octaves so often; `idle` with a
 /// wake system that has nothing to tell. For idle_cost_test.cpp.
 int main(int count, char** arguments) {
@@ -23,11 +36,6 @@ int main(int count, char** arguments) {
   std::vector<glm::dvec2> points;
   for (int i = 0; i < std::atoi(arguments[2]); ++i) points.emplace_back(0.7 * i, -0.3 * i);
   std::vector<SurfaceSample> samples(points.size());
-  double sum = 0.0;
-  const SurfaceAtTime now = water.at(1.0);
-  for (int i = 0; i < std::atoi(arguments[3]); ++i) {
-    now.sample(points, samples);
-    sum += samples.back().height;
-  }
+  const double sum = sampleManyTimes(water.at(1.0), points, samples, std::atoi(arguments[3]));
   return sum == 1e9 ? 1 : 0;
 }
