@@ -104,14 +104,24 @@ void setWater(ShadingConstants& c, const View& view) {
   c.crestSun = through * 0.06f * c.sunLight;
 }
 
+/// Wakes higher than the sea's own crests are not what wind makes white: the rule is for waves of
+/// a third of the highest wake's height then. They are white where they are steep.
+float ofWindWaves(const WaterSurface& water, const WhitecapRule& rule) {
+  const auto disturbances = water.disturbances();
+  if (!disturbances) return 1.0f;
+  const double wakes = rule.perHeight * disturbances->heightBound() / 3.0;
+  return static_cast<float>(1.0 / std::max(wakes, 1.0));
+}
+
 void setFoam(ShadingConstants& c, const View& view) {
   c.foamIsOn = true;
   c.foamSky = foamReflectance * c.skyLight;
   c.foamSun = foamReflectance * c.sunLight / floatPi;
   const WaveField& waves = view.water->waves();
   const WhitecapRule rule(waves, view.light.windSpeed);
-  c.whitecapAlong = glm::vec2(rule.toward * rule.perSlope);
-  c.whitecapPerHeight = static_cast<float>(rule.perHeight);
+  const float wind = ofWindWaves(*view.water, rule);
+  c.whitecapAlong = wind * glm::vec2(rule.toward * rule.perSlope);
+  c.whitecapPerHeight = wind * static_cast<float>(rule.perHeight);
   c.whitecapMean = static_cast<float>(rule.mean);
   const double total = BandLimit(waves).totalSlope();
   c.perTotalSlope = total > 0.0 ? static_cast<float>(1.0 / total) : 0.0f;

@@ -80,10 +80,9 @@ class UdpEndpoint::Server {
   void stop() {
     if (!thread_.joinable()) return;
     asio::post(context_, [this] {
-      answerWhatHasArrived();
+      stopping_ = true;
       asio::error_code ignored;
-      timer_.cancel();
-      socket_.close(ignored);
+      socket_.cancel(ignored);
     });
     thread_.join();
   }
@@ -103,10 +102,17 @@ class UdpEndpoint::Server {
   void receive() {
     socket_.async_receive_from(asio::buffer(buffer_), sender_,
                                [this](const asio::error_code& fault, std::size_t size) {
-                                 if (!socket_.is_open()) return;
+                                 // What was read before the cancellation is answered too.
                                  if (!fault) serve(size);
-                                 receive();
+                                 stopping_ ? finish() : receive();
                                });
+  }
+
+  void finish() {
+    answerWhatHasArrived();
+    asio::error_code ignored;
+    timer_.cancel();
+    socket_.close(ignored);
   }
 
   void answerWhatHasArrived() {
@@ -205,6 +211,7 @@ class UdpEndpoint::Server {
   std::map<udp::endpoint, Host> hosts_;
   std::uint32_t lastHost_ = 0;
   std::array<std::byte, longestDatagram> buffer_;
+  bool stopping_ = false;
   udp::endpoint sender_;
   Clock::time_point nextTick_;
   std::thread thread_;
