@@ -30,7 +30,9 @@ void addCurves(const Study& study, const std::string& label, Abscissa abscissa, 
 double costOf(const CostPoint& point) { return point.cost; }
 double dialOf(const CostPoint& point) { return point.dial; }
 
-bool isOfPictures(const Study& study) { return study.name.starts_with("image_"); }
+bool isOfPictures(const Study& study) {
+  return study.name.starts_with("image_") && study.unitError != "1";
+}
 
 void addStudy(const Study& study, HtmlPage& page) {
   page.heading(study.name);

@@ -75,12 +75,12 @@ std::vector<Study> studyLayers(const StudyOptions& options) {
         options.quick ? 5 : 15);
     const std::string setting = "cell " + std::to_string(cell).substr(0, 5) + " m";
     const auto bytes = static_cast<double>(laid.foam.memoryBytes() + laid.smooth.memoryBytes());
-    studies[0].points.push_back({setting, error, 1e-6 * bytes, 0.0});
+    studies[0].points.push_back({setting, error, 1e-6 * bytes, 0.0, cell});
     studies[1].points.push_back(
-        {setting, error, 1e3 * painting.median / shorter, 1e3 * painting.spread / shorter});
+        {setting, error, 1e3 * painting.median / shorter, 1e3 * painting.spread / shorter, cell});
     const double perPoint = 1e9 / static_cast<double>(places.size());
     studies[2].points.push_back(
-        {setting, error, sampling.median * perPoint, sampling.spread * perPoint});
+        {setting, error, sampling.median * perPoint, sampling.spread * perPoint, cell});
   }
   return studies;
 }

@@ -14,6 +14,7 @@ namespace {
 struct Windows {
   double cell, window, step;  // m, m, s; step: of the finest window
   std::string setting;
+  double dial = 0.0;  // what is varied
 };
 
 class Sailed {
@@ -89,7 +90,7 @@ CostPoint measured(const Windows& windows, const SceneVessel& vessel, double dep
       },
       repetitions);
   return {windows.setting, 100.0 * std::sqrt(square) / largest, 1e6 / 16.0 * timing.median,
-          1e6 / 16.0 * timing.spread};
+          1e6 / 16.0 * timing.spread, windows.dial};
 }
 
 }  // namespace
@@ -124,13 +125,14 @@ std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
   };
   std::vector<Windows> cells, steps, windows;
   for (const double part : {4.0, 2.0, 1.0}) {
-    cells.push_back({part * cell, window, step, label("cell", part * cell, "m")});
+    cells.push_back({part * cell, window, step, label("cell", part * cell, "m"), part * cell});
   }
   for (const double part : {8.0, 4.0, 2.0, 1.0}) {
-    steps.push_back({cell, window, part * step, label("step", part * step, "s")});
+    steps.push_back({cell, window, part * step, label("step", part * step, "s"), part * step});
   }
   for (const double part : {0.0625, 0.125, 0.25, 1.0}) {
-    windows.push_back({cell, part * window, step, label("window", part * window, "m")});
+    windows.push_back(
+        {cell, part * window, step, label("window", part * window, "m"), part * window});
   }
   return {study("wake_cell", "cell size",
                 {0.5 * cell, window, step, label("cells of", 0.5 * cell, "m")}, cells),

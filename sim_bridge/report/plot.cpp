@@ -122,6 +122,8 @@ std::string palette() {
 
 std::string svgOf(const Plot& plot) {
   std::string script = preamble(plot.title, 820, 400) + axis("x", plot.x) + axis("y", plot.y);
+  // Long lists of names would lie over the curves.
+  if (plot.curves.size() > 3) script += "set key outside right top\n";
   std::string draw = "plot ";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];

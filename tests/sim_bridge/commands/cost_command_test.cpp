@@ -45,8 +45,9 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   const std::string page = test::readFile(folder / "cost/report.html");
   std::size_t figures = 0;
   for (auto at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++figures;
-  // Octaves of queries, octaves of fits, four of hulls, pictures by the grid's size and by cost.
-  EXPECT_EQ(figures, 8u);
+  // Octaves of queries, octaves of fits, four of hulls, three of layers, three of wakes, pictures by
+  // the grid's size and by cost.
+  EXPECT_EQ(figures, 14u);
   EXPECT_NE(page.find("vertices a side"), page.npos);
 }
 
