@@ -54,8 +54,8 @@ class DisturbanceState {
 
   /// Adds heights, slopes, ∂η/∂t and orbital velocities at `points` (sea plane, m) and time `t` to
   /// `out`, as far as `options` asks; cubic B-splines in space and cubic Hermite in time, within
-  /// 0.5 % of the wake's height and 1 % of its slope. Some 10 ns a point and sheet
-  /// (tests/bench/wake_bench.cpp).
+  /// 0.5 % of the wake's height, which `bound` grows by, and 1 % of its slope. Some 10 ns a point
+  /// and sheet (tests/bench/wake_bench.cpp).
   void addTo(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
              const SampleOptions& options) const noexcept;
 

@@ -201,6 +201,7 @@ TEST(WakeWindow, ASplineOfItsCellsReadsTheFieldAndItsDerivatives) {
     // Splines with four cells to the shortest wave: measured 1.2e-3 of the largest height, 4e-3 m/s
     // of a velocity for each metre of it.
     EXPECT_NEAR(samples[p].height, exact[p].height, 2e-3 * largest) << p;
+    EXPECT_NEAR(samples[p].height, exact[p].height, samples[p].bound) << p;
     EXPECT_NEAR(samples[p].slope.x, exact[p].slope.x, 2e-3 * largest) << p;
     EXPECT_NEAR(samples[p].slope.y, exact[p].slope.y, 2e-3 * largest) << p;
     EXPECT_NEAR(samples[p].verticalVelocity, exact[p].verticalVelocity, 4e-3 * largest) << p;
