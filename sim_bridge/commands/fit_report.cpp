@@ -16,16 +16,6 @@ namespace {
 
 std::string number(double value, int digits = 3) { return fmt::format("{:.{}f}", value, digits); }
 
-std::string drawn(const char* title, const Axis& x, const Axis& y,
-                  const std::vector<Curve>& curves) {
-  Plot plot;
-  plot.title = title;
-  plot.x = x;
-  plot.y = y;
-  plot.curves = curves;
-  return svgOf(plot);
-}
-
 void addSummary(const FitResult& result, HtmlPage& page) {
   const OctaveFitSummary& s = result.fit.summary;
   page.table({"", "target", "fit", "unit"},
@@ -127,11 +117,11 @@ void addSpectra(const FitResult& result, HtmlPage& page) {
   const double peak = 1.0 / std::max(result.fit.summary.tpTarget, 1e-6);
   const double shown = std::min(target.highest(), 4.0 * peak);
   page.heading("Spectrum");
-  page.figure(drawn("Frequency spectrum", {"frequency, Hz", false, target.lowest(), shown},
+  page.figure(svgOf("Frequency spectrum", {"frequency, Hz", false, target.lowest(), shown},
                     {"S(f), m²/Hz", false, 0.0}, spectra(result, 0.0)),
               "Target, fit in closed form and, where asked for, a simulated buoy's estimate.");
   page.figure(
-      drawn("Frequency spectrum, logarithmic",
+      svgOf("Frequency spectrum, logarithmic",
             {"frequency, Hz", false, target.lowest(), target.highest()},
             {"S(f), m²/Hz", true, 1e-4 * highest, 2.0 * highest}, spectra(result, 1e-5 * highest)),
       "The same; the tail carries the slopes.");
@@ -150,7 +140,7 @@ void addResiduals(const FitResult& result, HtmlPage& page) {
                          highest);
   }
   page.figure(
-      drawn("Residual in each band", {"frequency, Hz", false, target.lowest(), target.highest()},
+      svgOf("Residual in each band", {"frequency, Hz", false, target.lowest(), target.highest()},
             {"% of the largest density"}, {residual}),
       "Fit less target in each of the target's bins.");
 }
@@ -215,9 +205,9 @@ void addDirections(const FitResult& result, HtmlPage& page) {
   }
   page.heading("Directions");
   const Axis frequency{"frequency, Hz", false, target.energy.lowest(), target.energy.highest()};
-  page.figure(drawn("Mean direction", frequency, {"from, deg clockwise from north"}, directions),
+  page.figure(svgOf("Mean direction", frequency, {"from, deg clockwise from north"}, directions),
               "Where the density is above 1 % of its largest.");
-  page.figure(drawn("Directional spread", frequency, {"√(2(1 − r₁)), deg", false, 0.0}, widths),
+  page.figure(svgOf("Directional spread", frequency, {"√(2(1 − r₁)), deg", false, 0.0}, widths),
               "Where the density is above 1 % of its largest.");
 }
 

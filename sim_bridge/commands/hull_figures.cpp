@@ -61,16 +61,6 @@ Json checkJson(const MeshReport& c) {
           {"warnings", warningsOf(c)}};
 }
 
-std::string drawn(const char* title, const Axis& x, const Axis& y,
-                  const std::vector<Curve>& curves) {
-  Plot plot;
-  plot.title = title;
-  plot.x = x;
-  plot.y = y;
-  plot.curves = curves;
-  return svgOf(plot);
-}
-
 std::string leverPlot(const HullFigures& f) {
   Curve lever{"GZ", {}, {}}, initial{"GM sin(heel)", {}, {}, CurveStyle::dashed};
   for (const RightingLever& each : f.levers) {
@@ -80,7 +70,7 @@ std::string leverPlot(const HullFigures& f) {
     initial.x.push_back(lever.x.back());
     initial.y.push_back(f.rest.transverseMetacentricHeight * std::sin(each.heel));
   }
-  return drawn("Righting lever", {.label = "heel (deg)"}, {.label = "GZ (m)"}, {lever, initial});
+  return svgOf("Righting lever", {.label = "heel (deg)"}, {.label = "GZ (m)"}, {lever, initial});
 }
 
 std::string draftPlot(const HullFigures& f) {
@@ -94,7 +84,7 @@ std::string draftPlot(const HullFigures& f) {
     area.x.push_back(draft);
     area.y.push_back(part.waterplaneArea);
   }
-  return drawn("Hydrostatics upright", {.label = "draft (m)"}, {.label = "m2, m3"}, {volume, area});
+  return svgOf("Hydrostatics upright", {.label = "draft (m)"}, {.label = "m2, m3"}, {volume, area});
 }
 
 }  // namespace

@@ -135,6 +135,16 @@ std::string svgOf(const Plot& plot) {
   return gnuplot(script + draw + "\n");
 }
 
+std::string svgOf(const char* title, const Axis& x, const Axis& y,
+                  const std::vector<Curve>& curves) {
+  Plot plot;
+  plot.title = title;
+  plot.x = x;
+  plot.y = y;
+  plot.curves = curves;
+  return svgOf(plot);
+}
+
 std::string svgOf(const BarPlot& plot) {
   std::string script = preamble(plot.title, 820, 400) + axis("y", plot.y) +
                        "set boxwidth 0.8\nset xtics rotate by -40\nunset key\n$data << EOD\n";

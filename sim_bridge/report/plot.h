@@ -50,6 +50,8 @@ struct PolarMap {
 };
 
 std::string svgOf(const Plot& plot);
+std::string svgOf(const char* title, const Axis& x, const Axis& y,
+                  const std::vector<Curve>& curves);
 std::string svgOf(const BarPlot& plot);
 std::string svgOf(const PolarMap& map);
 

@@ -25,18 +25,6 @@ std::unique_ptr<RenderTechnique> make(const ProjectedGridOptions& options) {
   return makeProjectedGrid(test::sharedContext(), options);
 }
 
-Frame drawnBy(RenderTechnique& technique, const WaterSurface& water, const Camera& camera,
-              double time) {
-  EffectLedger effects;
-  View view;
-  view.water = &water;
-  view.time = time;
-  view.camera = camera;
-  view.effects = &effects;
-  view.wantsNormals = true;
-  return technique.draw(view);
-}
-
 /// Classes, depths and normals that fit together, all of them numbers.
 void expectSane(const Frame& frame, glm::ivec2 size) {
   ASSERT_EQ(frame.classes.size(), static_cast<std::size_t>(size.x) * size.y);
@@ -104,14 +92,14 @@ class ViewsHard : public ::testing::TestWithParam<int> {};
 TEST_P(ViewsHard, EveryVariantDrawsWhatRaysFind) {
   const HardView view = hardViews()[static_cast<std::size_t>(GetParam())];
   const ProjectedGridOptions options{.grid = {128, 256}};
-  const Frame truth = drawnBy(*makeReference(options), view.water, view.camera, view.time);
+  const Frame truth = test::drawnBy(*makeReference(options), view.water, view.camera, view.time);
   expectSane(truth, view.camera.size);
   const long water = std::count(truth.classes.begin(), truth.classes.end(), PixelClass::water);
   EXPECT_EQ(water > 0, view.showsWater) << view.name;
   for (const GridVariant variant : allVariants) {
     SCOPED_TRACE(view.name + ", " + std::string(gridVariantName(variant)));
-    const Frame frame = drawnBy(*make({.grid = options.grid, .variant = variant}), view.water,
-                                view.camera, view.time);
+    const Frame frame = test::drawnBy(*make({.grid = options.grid, .variant = variant}), view.water,
+                                      view.camera, view.time);
     expectSane(frame, view.camera.size);
     const FrameComparison c = compareFrames(view.camera, frame, truth);
     std::printf("%s, %s: %zu px, rms %.4f, 99 %% %.4f, missing %zu, extra %zu, far %zu\n",
@@ -142,7 +130,7 @@ TEST_P(VariantsHard, PutsTheHorizonAtItsDipToATenthOfAPixel) {
     for (const double off : {-0.1, 0.1}) {
       // The horizon lies `off` pixels above the centre of row 360.
       camera.worldFromCamera = attitude(0.4, -dip + (0.5 - off) * pixel, 0.0);
-      const Frame frame = drawnBy(*technique, still, camera, 0.0);
+      const Frame frame = test::drawnBy(*technique, still, camera, 0.0);
       const bool water = frame.classes[360 * 9 + 4] == PixelClass::water;
       EXPECT_EQ(water, off > 0.0) << height << " m, " << off;
     }

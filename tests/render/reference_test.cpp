@@ -16,14 +16,8 @@ struct Pair {
 };
 
 Pair drawBoth(const WaterSurface& water, const Camera& camera, double time, glm::ivec2 grid) {
-  EffectLedger effects;
-  View view;
-  view.water = &water;
-  view.time = time;
-  view.camera = camera;
-  view.effects = &effects;
-  view.wantsNormals = true;
-  return {makeSoftwareGrid({.grid = grid})->draw(view), makeReference({.grid = grid})->draw(view)};
+  return {test::drawnBy(*makeSoftwareGrid({.grid = grid}), water, camera, time),
+          test::drawnBy(*makeReference({.grid = grid}), water, camera, time)};
 }
 
 TEST(Reference, FindsWhatTheRayQueryFindsWhereTheGridCarriesAllWaves) {

@@ -82,28 +82,29 @@ inline HeadlessContext& sharedContext() {
   return *context;
 }
 
-/// A frame of `water` by a projected grid of its own.
-inline Frame drawn(const WaterSurface& water, const Camera& camera, double time = 0.0,
-                   const ProjectedGridOptions& options = {}) {
+/// A frame of `water`, with normals if asked.
+inline Frame drawnBy(RenderTechnique& technique, const WaterSurface& water, const Camera& camera,
+                     double time = 0.0, bool wantsNormals = true) {
   EffectLedger effects;
   View view;
   view.water = &water;
   view.time = time;
   view.camera = camera;
   view.effects = &effects;
-  return makeProjectedGrid(sharedContext(), options)->draw(view);
+  view.wantsNormals = wantsNormals;
+  return technique.draw(view);
+}
+
+/// A frame of `water` by a projected grid of its own.
+inline Frame drawn(const WaterSurface& water, const Camera& camera, double time = 0.0,
+                   const ProjectedGridOptions& options = {}) {
+  return drawnBy(*makeProjectedGrid(sharedContext(), options), water, camera, time, false);
 }
 
 /// The same without OpenGL.
 inline Frame drawnInSoftware(const WaterSurface& water, const Camera& camera, double time = 0.0,
                              const ProjectedGridOptions& options = {}) {
-  EffectLedger effects;
-  View view;
-  view.water = &water;
-  view.time = time;
-  view.camera = camera;
-  view.effects = &effects;
-  return makeSoftwareGrid(options)->draw(view);
+  return drawnBy(*makeSoftwareGrid(options), water, camera, time, false);
 }
 
 }  // namespace seaway::render::test

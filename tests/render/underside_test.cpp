@@ -6,17 +6,6 @@
 namespace seaway::render {
 namespace {
 
-Frame drawnBy(RenderTechnique& technique, const WaterSurface& water, const Camera& camera) {
-  EffectLedger effects;
-  View view;
-  view.water = &water;
-  view.time = 3.0;
-  view.camera = camera;
-  view.effects = &effects;
-  view.wantsNormals = true;
-  return technique.draw(view);
-}
-
 // From below there is no horizon: level rays meet the underside farther and farther off as the sea
 // curves down. All techniques draw it as far as a camera as high above would see.
 TEST(UndersideHard, EndsWhereTheReferenceEndsIt) {
@@ -29,8 +18,8 @@ TEST(UndersideHard, EndsWhereTheReferenceEndsIt) {
   for (const WaterSurface& water : {test::stillSea(), test::moderateSea()}) {
     for (const auto& v : views) {
       const Camera camera = test::cameraAt({5.0, 6.0, -v.depth}, v.pitch, v.roll, v.fov, {96, 60});
-      const Frame drawn = drawnBy(*grid, water, camera);
-      const Frame truth = drawnBy(*reference, water, camera);
+      const Frame drawn = test::drawnBy(*grid, water, camera, 3.0);
+      const Frame truth = test::drawnBy(*reference, water, camera, 3.0);
       const FrameComparison c = compareFrames(camera, drawn, truth);
       EXPECT_GT(c.compared, 0u) << v.depth;
       EXPECT_EQ(c.missing, 0u) << v.depth << " m deep";
