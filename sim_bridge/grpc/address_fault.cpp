@@ -29,7 +29,8 @@ void requireFreePath(const std::string& option, const std::string& path) {
   asio::io_context io;
   asio::local::stream_protocol::socket probe(io);
   asio::error_code fault;
-  if (!probe.connect(asio::local::stream_protocol::endpoint(path), fault)) {
+  probe.connect(asio::local::stream_protocol::endpoint(path), fault);
+  if (!fault) {
     throw InputError(option + ": cannot serve at '" + path + "': another process serves there");
   }
 }

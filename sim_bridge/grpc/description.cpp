@@ -36,8 +36,8 @@ void describeScene(const Scene& scene, DescribeResponse& response) {
   for (const SceneVessel& vessel : scene.vessels) {
     DescribeResponse::Vessel* entry = response.add_vessels();
     entry->set_name(vessel.name);
-    entry->set_length_m(vessel.model.length);
-    entry->set_beam_m(vessel.model.beam);
+    entry->set_length_m(vessel.model.hull.length);
+    entry->set_beam_m(vessel.model.hull.beam);
     entry->set_makes_waves(vessel.model.wake.strength > 0.0);
   }
   for (const SceneCamera& camera : scene.cameras) {
