@@ -152,7 +152,7 @@ TEST(XdynWaves, FrequenciesAndDirectionsForResponseOperatorsAreTheSpectrumsOwn) 
 TEST(XdynWaves, ARegularWaveInACurrentIsItselfInItsSpectrum) {
   ServedWaves served(test::sceneText(
       {{"run:", "effects: {wake: off}\nrun:"},
-       {"  seed:", "  depth_m: 5\n  current: {speed_m_s: 1, toward_deg: 90}\n  seed:"}}));
+       {"depth_m: inf", "depth_m: 5\n  current: {speed_m_s: 1, toward_deg: 90}"}}));
   Context setting, asking;
   SetParameterRequest parameters;
   parameters.set_parameters(
@@ -214,7 +214,7 @@ TEST(XdynWavesHard, WhatCannotBeIsToldAndLeavesTheSeaAsItWas) {
 
 TEST(XdynWavesHard, ASeaOfPerlinOctavesHasNoMotionAndNoSpectrum) {
   ServedWaves served(
-      test::sceneText({{"run:", "effects: {wake: off}\nrun:"}, {"  seed:", "  model: perlin\n  seed:"}}));
+      test::sceneText({{"run:", "effects: {wake: off}\nrun:"}, {"seed: 7", "model: perlin"}}));
   XYZTGrid grid;
   DynamicPressuresResponse pressures;
   OrbitalVelocitiesResponse velocities;
