@@ -54,7 +54,11 @@ void makeEndpoints(const ServeOptions& options, ServedSea& sea, const ServeClock
   add(makeMetricsEndpoint(options.metrics, sea, clock, frames,
                           [&endpoints] { return descriptionsOf(endpoints); }));
   add(makeCigiEndpoint(options.cigi, sea, clock, frames));
-  if (endpoints.empty()) throw InputError("nothing to serve; give one of: --cigi, --metrics");
+  add(makeGrpcEndpoint(options.grpc, sea, clock, frames));
+  add(makeXdynEndpoint(options.grpc, sea));
+  if (endpoints.empty()) {
+    throw InputError("nothing to serve; give one of: --cigi, --grpc, --xdyn, --metrics");
+  }
 }
 
 void reload(const std::string& file, ServedSea& sea) {
@@ -103,6 +107,7 @@ void addServeCommand(CLI::App& app, ChosenCommand& chosen) {
       ->capture_default_str();
   addMetricsOptions(*command, options->metrics);
   addCigiOptions(*command, options->cigi);
+  addGrpcOptions(*command, options->grpc);
   command->footer(
       "Example:\n  seaway serve configs/scenes/canaveral.yaml --cigi 8004 "
       "--metrics 9100");

@@ -4,6 +4,7 @@
 
 #include "sim_bridge/commands/command.h"
 #include "sim_bridge/service/cigi_service.h"
+#include "sim_bridge/service/grpc_service.h"
 #include "sim_bridge/service/metrics_service.h"
 
 namespace seaway::bridge {
@@ -13,6 +14,7 @@ struct ServeOptions {
   std::string clock = "host";      ///< host, real or xN
   std::string logFormat = "text";  ///< or json
   CigiServiceOptions cigi;
+  GrpcServiceOptions grpc;
   MetricsServiceOptions metrics;
 };
 

@@ -1,0 +1,124 @@
+#include "sim_bridge/grpc/rpc_server.h"
+
+#include <grpc/support/log.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/server_builder.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "sim_bridge/grpc/address_fault.h"
+#include "surface/input_error.h"
+
+namespace seaway::bridge::rpc {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// gRPC's own messages go where ours go, and only where somebody looks for faults.
+void logToOurs(gpr_log_func_args* entry) { spdlog::debug("gRPC: {}", entry->message); }
+
+/// What holds for all servers of the process.
+void prepareProcess() {
+  static const bool once = [] {
+    gpr_set_log_function(logToOurs);
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+    return true;
+  }();
+  (void)once;
+}
+
+int millisecondsOf(double seconds) { return static_cast<int>(1000.0 * seconds); }
+
+void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options) {
+  // Two servers on one port would share its hosts between them.
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  // A window that lets a large batch through at once, in place of probes for the best one, which
+  // cost 10 % of a small batch.
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, 1 << 20);
+  // Half-open connections: a host that does not answer pings is gone.
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, millisecondsOf(options.patience));
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, millisecondsOf(options.patience));
+  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 1000);
+  builder.SetMaxReceiveMessageSize(options.mostMessageBytes);
+  builder.SetMaxSendMessageSize(-1);
+  // For reflection alone.
+  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::NUM_CQS, 1);
+  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MAX_POLLERS, 1);
+}
+
+unsigned threadCount() { return std::max(2u, std::thread::hardware_concurrency()); }
+
+}  // namespace
+
+RpcServer::RpcServer(RpcServerOptions options, Meter& meter)
+    : options_(std::move(options)), host_(meter, options_.token) {}
+
+RpcServer::~RpcServer() { stop(); }
+
+void RpcServer::add(std::unique_ptr<grpc::Service> service, std::string name) {
+  services_.push_back(std::move(service));
+  names_.push_back(std::move(name));
+}
+
+void RpcServer::bind() {
+  prepareProcess();
+  requireFreeAddress(options_.option, options_.address);
+  grpc::ServerBuilder builder;
+  setTransport(builder, options_);
+  int port = 0;
+  builder.AddListeningPort(options_.address, options_.credentials, &port);
+  for (const auto& service : services_) builder.RegisterService(service.get());
+  queue_ = builder.AddCompletionQueue();
+  host_.queue = queue_.get();
+  server_ = builder.BuildAndStart();
+  if (!server_ || port == 0) {
+    server_.reset();
+    queue_->Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    while (queue_->Next(&tag, &ok)) {
+    }
+    queue_.reset();
+    throw InputError(options_.option + ": cannot serve at '" + options_.address +
+                     "': the address cannot be taken, or the certificate and key are no pair");
+  }
+  address_ = boundAddress(options_.address, port);
+}
+
+void RpcServer::start() {
+  for (const auto& method : methods_) {
+    for (unsigned i = 0; i < threadCount(); ++i) method->listen();
+  }
+  for (unsigned i = 0; i < threadCount(); ++i) threads_.emplace_back([this] { serve(); });
+  for (const std::string& name : names_) {
+    server_->GetHealthCheckService()->SetServingStatus(name, true);
+  }
+}
+
+void RpcServer::serve() {
+  void* tag = nullptr;
+  bool ok = false;
+  while (queue_->Next(&tag, &ok)) static_cast<Arrival*>(tag)->arrived(ok);
+}
+
+void RpcServer::stop() {
+  if (!server_) return;
+  host_.ending = true;
+  server_->GetHealthCheckService()->SetServingStatus(false);
+  server_->Shutdown(std::chrono::system_clock::now() + milliseconds(500));
+  if (!threads_.empty()) host_.waitForSlots();
+  queue_->Shutdown();
+  if (threads_.empty()) serve();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+  server_.reset();
+  queue_.reset();
+}
+
+}  // namespace seaway::bridge::rpc
