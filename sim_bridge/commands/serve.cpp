@@ -36,10 +36,12 @@ class EndSignals {
 
 // A new kind of endpoint is one line here.
 std::vector<std::unique_ptr<Endpoint>> endpointsFor(const ServeOptions& options, ServedSea& sea,
-                                                    const ServeClock& clock) {
+                                                    const ServeClock& clock, FrameMaker& frames) {
   std::vector<std::unique_ptr<Endpoint>> endpoints;
   if (auto cigi = makeCigiEndpoint(options.cigi, sea, clock)) endpoints.push_back(std::move(cigi));
-  if (endpoints.empty()) throw InputError("nothing to serve; give one of: --cigi");
+  if (auto shm = makeShmEndpoint(options.shm, sea, clock, frames))
+    endpoints.push_back(std::move(shm));
+  if (endpoints.empty()) throw InputError("nothing to serve; give one of: --cigi, --shm");
   return endpoints;
 }
 
@@ -50,7 +52,8 @@ int runServe(const ServeOptions& options) {
   const ServeClock clock = ServeClock::parse("--clock", options.clock);
   const Scene scene = loadScene(options.scene);
   ServedSea sea(scene, buildSea(scene));
-  const auto endpoints = endpointsFor(options, sea, clock);
+  FrameMaker frames(sea);
+  const auto endpoints = endpointsFor(options, sea, clock, frames);
   for (const auto& endpoint : endpoints) {
     endpoint->start();
     spdlog::info("{} serves {}", endpoint->description(), options.scene);
@@ -72,6 +75,7 @@ void addServeCommand(CLI::App& app, ChosenCommand& chosen) {
           "whose time: host (each request's own), real (from 0 on), or xN, N times as fast")
       ->capture_default_str();
   addCigiOptions(*command, options->cigi);
+  addShmOptions(*command, options->shm);
   command->footer("Example:\n  seaway serve configs/scenes/canaveral.yaml --cigi 8004");
   command->callback([=, &chosen] { chosen = [=] { return runServe(*options); }; });
 }

@@ -4,6 +4,7 @@
 
 #include "sim_bridge/commands/command.h"
 #include "sim_bridge/service/cigi_service.h"
+#include "sim_bridge/service/shm_service.h"
 
 namespace seaway::bridge {
 
@@ -11,6 +12,7 @@ struct ServeOptions {
   std::string scene;
   std::string clock = "host";  ///< host, real or xN
   CigiServiceOptions cigi;
+  ShmServiceOptions shm;
 };
 
 /// `seaway serve`: lets others ask a scene's sea until SIGINT or SIGTERM, then answers what has

@@ -18,7 +18,7 @@ double secondsSince(Clock::time_point start) {
 /// A copy of what a host may be writing: nothing is read twice.
 template <class T>
 void copyOnce(T* to, const std::byte* from, std::size_t count) {
-  std::memcpy(to, from, count * sizeof(T));
+  if (count > 0) std::memcpy(to, from, count * sizeof(T));
   std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 

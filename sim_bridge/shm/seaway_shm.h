@@ -393,8 +393,10 @@ static inline seaway_shm_status seaway_shm_sample(seaway_shm_client* client,
   batch->request->number = batch->number;
   batch->request->kind = SEAWAY_SHM_SAMPLE;
   batch->request->count = count;
-  memcpy(batch->x, x, count * sizeof *x);
-  memcpy(batch->y, y, count * sizeof *y);
+  if (count > 0) {
+    memcpy(batch->x, x, count * sizeof *x);
+    memcpy(batch->y, y, count * sizeof *y);
+  }
   return seaway_shm_call(client, batch);
 }
 
@@ -430,7 +432,7 @@ static inline seaway_shm_status seaway_shm_place_hulls(seaway_shm_client* client
   }
   batch.request->time = time;
   batch.request->count = count;
-  memcpy(batch.bytes, poses, count * sizeof *poses);
+  if (count > 0) memcpy(batch.bytes, poses, count * sizeof *poses);
   return seaway_shm_call(client, &batch);
 }
 
@@ -448,7 +450,7 @@ static inline seaway_shm_status seaway_shm_describe(seaway_shm_client* client, c
   }
   if (length) *length = whole;
   part = size == 0 ? 0 : whole < size - 1 ? whole : size - 1;
-  memcpy(text, batch.bytes, part);
+  if (part > 0) memcpy(text, batch.bytes, part);
   if (size > 0) text[part] = 0;
   return SEAWAY_SHM_OK;
 }
