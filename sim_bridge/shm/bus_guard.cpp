@@ -2,6 +2,8 @@
 
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -28,10 +30,11 @@ bool replaced(std::uintptr_t address) {
     const std::uintptr_t begin = range.begin.load();
     const std::size_t size = range.size.load();
     if (size == 0 || address < begin || address >= begin + size) continue;
-    void* const memory = reinterpret_cast<void*>(begin);  // NOLINT: an address is all there is
     range.broken = true;
-    return mmap(memory, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1,
-                0) != MAP_FAILED;
+    // The call itself: nothing of the library's own is safe in a handler.
+    const long mapped = syscall(SYS_mmap, begin, size, PROT_READ | PROT_WRITE,
+                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0L);
+    return mapped != -1;
   }
   return false;
 }

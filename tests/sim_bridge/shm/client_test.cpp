@@ -93,7 +93,7 @@ TEST_F(ShmClient, AddsPlacesAndRemovesHullsWhichGoWithTheConnection) {
     pose.hull = second;
     pose.latitude_deg = 28.5;
     client.placeHulls(2.0, std::span(&pose, 1));
-    EXPECT_EQ(sea_.poses.at(0).latitude_deg, 28.5);
+    EXPECT_EQ(sea_.posesNow().at(0).latitude_deg, 28.5);
     client.removeHull(first);
     EXPECT_EQ(sea_.hullsNow(), std::set{second});
     EXPECT_EQ(statusOf([&] { client.removeHull(first); }), SEAWAY_SHM_NOT_FOUND);

@@ -33,6 +33,10 @@ struct KnownSea : Observer {
     const std::lock_guard lock(mutex);
     return hulls;
   }
+  std::vector<seaway_shm_pose> posesNow() const {
+    const std::lock_guard lock(mutex);
+    return poses;
+  }
 
   std::atomic<std::uint64_t> requests{0}, allPoints{0}, refusals{0}, pictures{0}, hosts{0};
   std::atomic<int> lastRefusal{0};
