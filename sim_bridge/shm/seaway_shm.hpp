@@ -6,8 +6,6 @@
 #ifndef SEAWAY_SHM_HPP
 #define SEAWAY_SHM_HPP
 
-#include "seaway_shm.h"
-// seaway_shm.h before all others: it asks for GNU's declarations.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "seaway_shm.h"
 
 namespace seaway::shm {
 
