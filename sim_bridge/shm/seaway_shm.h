@@ -39,7 +39,7 @@ static inline seaway_shm_options seaway_shm_default_options(void) {
   seaway_shm_options options;
   options.connect_timeout = 1.0;
   options.call_timeout = 1.0;
-  options.spin = 100e-6;
+  options.spin = 200e-6; /* the evaluation of some 2000 points */
   return options;
 }
 

@@ -16,9 +16,10 @@ struct ShmOptions {
   std::string option = "--shm";  ///< begins the messages of InputError
   std::string name;              ///< of the segment
   SegmentSettings segment;
-  /// s that a thread looks for a host's next request before it sleeps: long enough for hosts that
-  /// ask at once again, too short for a 1 kHz host to keep a core busy (tests/bench/shm_bench.cpp).
-  double spin = 20e-6;
+  /// s that a thread looks for a host's next request before it sleeps: a request that finds it
+  /// awake is answered 10 to 20 µs sooner (tests/bench/shm_bench.cpp), a 1 kHz host costs 5 % of a
+  /// core for it.
+  double spin = 50e-6;
   Backing backing;
 };
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -81,8 +82,12 @@ class ServerProcess {
 };
 
 struct Spins {
-  double server = 20e-6, client = 100e-6;  // s
+  double server = ShmOptions{}.spin, client = seaway_shm_default_options().spin;  // s
 };
+
+/// How a request finds the thread that answers it: looking for it, as after the last of a burst, or
+/// asleep, as at the tick of a physics engine.
+enum class ServerIs { awake, asleep, asIs };
 
 /// A host with a server, and the same sea in its own process.
 class Setup {
@@ -110,7 +115,8 @@ class Setup {
   }
   /// Points written in place and heights read in place: what a host pays that has its own arrays
   /// there.
-  void inPlace(std::uint32_t count, std::uint32_t flags = 0) {
+  void inPlace(std::uint32_t count, std::uint32_t flags = 0, ServerIs server = ServerIs::awake) {
+    make(server);
     seaway_shm_batch batch;
     require(seaway_shm_begin(&client_->c(), SEAWAY_SHM_SAMPLE, &batch));
     const bool geodetic = (flags & SEAWAY_SHM_GEODETIC) != 0;
@@ -128,6 +134,7 @@ class Setup {
   }
   /// Points copied in, all answers copied out.
   void copied() {
+    make(ServerIs::awake);
     begin();
     const auto got = client_->sample(x_, y_, {.time = time()});
     std::size_t at = 0;
@@ -147,6 +154,12 @@ class Setup {
   double time() { return 0.01 * ++frame_; }
   void begin() { begun_ = std::chrono::steady_clock::now(); }
   void end() { ended_ = std::chrono::steady_clock::now(); }
+  void make(ServerIs server) {
+    if (server == ServerIs::asleep) usleep(500);
+    seaway_shm_batch nothing;
+    require(seaway_shm_begin(&client_->c(), SEAWAY_SHM_SAMPLE, &nothing));
+    if (server == ServerIs::awake) require(seaway_shm_call(&client_->c(), &nothing));
+  }
   void require(seaway_shm_status status) {
     if (status == SEAWAY_SHM_OK) return;
     std::fprintf(stderr, "%s: %s\n", seaway_shm_status_text(status), client_->c().message);
@@ -173,6 +186,7 @@ struct Case {
 const std::vector<Case> cases{
     {"evaluation/1000", [](Setup& s) { s.evaluation(points); }},
     {"shm/1000", [](Setup& s) { s.inPlace(points); }},
+    {"shm/1000/asleep", [](Setup& s) { s.inPlace(points, 0, ServerIs::asleep); }},
     {"shm/1000/height", [](Setup& s) { s.inPlace(points, SEAWAY_SHM_HEIGHT_ONLY); }},
     {"shm/1000/orbital", [](Setup& s) { s.inPlace(points, SEAWAY_SHM_ORBITAL_VELOCITY); }},
     {"shm/1000/geodetic", [](Setup& s) { s.inPlace(points, SEAWAY_SHM_GEODETIC); }},
@@ -241,16 +255,62 @@ void sleepUntil(double when) {
   }
 }
 
-/// A tick is ours to miss where the host was awake in time and the call alone took longer than what
-/// was left; the same evaluation in the host's own process after each call shows what the machine
-/// does to anybody.
+/// How often the scheduler took the processor from threads of a process that were not done.
+std::uint64_t preemptions(pid_t process) {
+  const std::string word = "nonvoluntary_ctxt_switches:";
+  std::uint64_t sum = 0;
+  const std::filesystem::path tasks("/proc/" + std::to_string(process) + "/task");
+  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+    std::ifstream file(task.path() / "status");
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with(word)) sum += std::stoull(line.substr(word.size()));
+    }
+  }
+  return sum;
+}
+
+/// Ticks whose answer came too late, by cause.
+class Misses {
+ public:
+  explicit Misses(pid_t server) : server_(server) { look(); }
+  /// Once a second, so that a preemption is laid to a tick near it.
+  void look() { seen_ = preemptions(server_) + preemptions(getpid()); }
+  void add(double late, double call, double period) {
+    ++all_;
+    const std::uint64_t before = seen_;
+    look();
+    if (late > 0.5 * period) {
+      ++wokenLate_;
+    } else if (seen_ != before) {
+      ++preempted_;
+    } else {
+      ++ours_;
+      std::printf("missed by us: woken %.0f us late, call %.0f us\n", 1e6 * late, 1e6 * call);
+    }
+  }
+  void print() const {
+    std::printf(
+        "missed: %d; %d: the host was woken late, %d: server or host was preempted within a "
+        "second, %d: neither\n",
+        all_, wokenLate_, preempted_, ours_);
+  }
+
+ private:
+  pid_t server_;
+  std::uint64_t seen_ = 0;
+  int all_ = 0, wokenLate_ = 0, preempted_ = 0, ours_ = 0;
+};
+
+/// The same evaluation in the host's own process after each call shows what the machine does to
+/// anybody.
 void runHost(double duration, const Spins& spins) {
   constexpr double period = 1e-3;
   Setup setup(spins);
   Histogram wakes, calls, evaluations;
-  std::uint64_t missed = 0, ours = 0, ticks = 0, skipped = 0;
+  std::uint64_t ticks = 0, skipped = 0;
   for (int i = 0; i < 1000; ++i) setup.inPlace(points), setup.evaluation(points);
   const double memory = residentMiB(setup.server()), ownMemory = residentMiB(getpid());
+  Misses misses(setup.server());
   const double start = nowSeconds();
   for (double tick = start + period; tick < start + duration; tick += period, ++ticks) {
     if (nowSeconds() > tick + period) {
@@ -260,10 +320,10 @@ void runHost(double duration, const Spins& spins) {
     sleepUntil(tick);
     const double late = nowSeconds() - tick;
     wakes.add(late);
-    setup.inPlace(points);
+    setup.inPlace(points, 0, ServerIs::asIs);
     calls.add(setup.seconds());
-    if (nowSeconds() > tick + period) ++missed;
-    if (late < period && setup.seconds() > period - late) ++ours;
+    if (nowSeconds() > tick + period) misses.add(late, setup.seconds(), period);
+    if (ticks % 1000 == 0) misses.look();
     setup.evaluation(points);
     evaluations.add(setup.seconds());
   }
@@ -280,9 +340,8 @@ void runHost(double duration, const Spins& spins) {
   }
   std::printf("longest, us  %12.0f %12.0f %12.0f\n", 1e6 * wakes.longest(), 1e6 * calls.longest(),
               1e6 * evaluations.longest());
-  std::printf("missed: %llu, of which the call alone made %llu; %llu ticks slept through\n",
-              static_cast<unsigned long long>(missed), static_cast<unsigned long long>(ours),
-              static_cast<unsigned long long>(skipped));
+  misses.print();
+  std::printf("ticks slept through: %llu\n", static_cast<unsigned long long>(skipped));
   std::printf("resident MiB: server %.2f -> %.2f, host %.2f -> %.2f\n", memory,
               residentMiB(setup.server()), ownMemory, residentMiB(getpid()));
 }

@@ -32,7 +32,7 @@ void buoyancy(const mjModel* model, mjData* data) {
     x[i] = world[0], y[i] = world[1], bottom[i] = world[2];
   }
   const auto how = seaway::shm::How{.time = data->time, .shortestWavelength = 0.5}.request();
-  seaway_shm_batch water;
+  seaway_shm_batch water{};
   if (status == SEAWAY_SHM_OK) status = seaway_shm_sample(&sea, &how, x, y, columns, &water);
   for (int i = 0; i < columns && status == SEAWAY_SHM_OK; ++i) {
     const double wet = std::clamp(water.height[i] - bottom[i], 0.0, depth);
