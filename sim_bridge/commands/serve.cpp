@@ -56,8 +56,9 @@ void makeEndpoints(const ServeOptions& options, ServedSea& sea, const ServeClock
   add(makeCigiEndpoint(options.cigi, sea, clock, frames));
   add(makeGrpcEndpoint(options.grpc, sea, clock, frames));
   add(makeXdynEndpoint(options.grpc, sea));
+  add(makeShmEndpoint(options.shm, sea, clock, frames));
   if (endpoints.empty()) {
-    throw InputError("nothing to serve; give one of: --cigi, --grpc, --xdyn, --metrics");
+    throw InputError("nothing to serve; give one of: --cigi, --grpc, --xdyn, --shm, --metrics");
   }
 }
 
@@ -108,6 +109,7 @@ void addServeCommand(CLI::App& app, ChosenCommand& chosen) {
   addMetricsOptions(*command, options->metrics);
   addCigiOptions(*command, options->cigi);
   addGrpcOptions(*command, options->grpc);
+  addShmOptions(*command, options->shm);
   command->footer(
       "Example:\n  seaway serve configs/scenes/canaveral.yaml --cigi 8004 "
       "--metrics 9100");

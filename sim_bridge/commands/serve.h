@@ -6,6 +6,7 @@
 #include "sim_bridge/service/cigi_service.h"
 #include "sim_bridge/service/grpc_service.h"
 #include "sim_bridge/service/metrics_service.h"
+#include "sim_bridge/service/shm_service.h"
 
 namespace seaway::bridge {
 
@@ -16,6 +17,7 @@ struct ServeOptions {
   CigiServiceOptions cigi;
   GrpcServiceOptions grpc;
   MetricsServiceOptions metrics;
+  ShmServiceOptions shm;
 };
 
 /// `seaway serve`: lets others ask a scene's sea until SIGINT or SIGTERM, then answers what has

@@ -1,0 +1,106 @@
+#include "sim_bridge/shm/shm_endpoint.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "sim_bridge/shm/picture_thread.h"
+#include "sim_bridge/shm/seaway_shm_system.h"
+
+namespace seaway::bridge::shm {
+namespace {
+
+constexpr double rounds = 0.25;  // s between looks at slots that nobody called for
+
+}  // namespace
+
+/// A segment and all that works on it.
+class ShmEndpoint::Serving {
+ public:
+  explicit Serving(const ShmOptions& options)
+      : segment_(options.option, options.name, options.segment), backing_(options.backing) {
+    for (std::uint32_t i = 0; i < options.segment.slots; ++i) {
+      workers_.push_back(std::make_unique<SlotWorker>(segment_, i, backing_, options.spin));
+    }
+  }
+  ~Serving() {
+    pictures_.reset();
+    for (const auto& worker : workers_) worker->stop();
+  }
+
+  void open() {
+    pictures_.emplace(segment_, workers_, backing_);
+    segment_.open();
+  }
+  /// Sees to hosts that have come; returns after a while.
+  void tend() {
+    const std::uint32_t seen = seaway_shm_load(&segment_.header().attention);
+    for (const auto& worker : workers_) worker->tend();
+    seaway_shm_sleep(&segment_.header().attention, seen, rounds);
+  }
+  void call() {
+    __atomic_add_fetch(&segment_.header().attention, 1, __ATOMIC_SEQ_CST);
+    seaway_shm_wake(&segment_.header().attention);
+  }
+  bool sound() const { return segment_.sound(); }
+
+ private:
+  Segment segment_;
+  const Backing& backing_;
+  std::vector<std::unique_ptr<SlotWorker>> workers_;
+  std::optional<PictureThread> pictures_;
+};
+
+ShmEndpoint::ShmEndpoint(ShmOptions options)
+    : options_(std::move(options)), serving_(std::make_unique<Serving>(options_)) {}
+
+ShmEndpoint::~ShmEndpoint() { stop(); }
+
+std::string ShmEndpoint::description() const { return "shared memory " + options_.name; }
+
+void ShmEndpoint::start() {
+  serving_->open();
+  keeper_ = std::thread([this] { keep(); });
+}
+
+void ShmEndpoint::keep() {
+  while (!stopping_) {
+    if (serving_) serving_->tend();
+    if (stopping_ || (serving_ && serving_->sound())) continue;
+    try {
+      replace();
+    } catch (const std::exception& fault) {
+      spdlog::error("{}: {}", description(), fault.what());
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+  }
+}
+
+void ShmEndpoint::replace() {
+  if (serving_) spdlog::error("{}: a host has spoilt the memory; made anew", description());
+  std::unique_ptr<Serving> gone;
+  {
+    const std::lock_guard lock(replacing_);
+    gone = std::move(serving_);
+  }
+  gone.reset();
+  auto made = std::make_unique<Serving>(options_);
+  made->open();
+  const std::lock_guard lock(replacing_);
+  serving_ = std::move(made);
+}
+
+void ShmEndpoint::stop() {
+  stopping_ = true;
+  {
+    const std::lock_guard lock(replacing_);
+    if (serving_) serving_->call();
+  }
+  if (keeper_.joinable()) keeper_.join();
+  serving_.reset();
+}
+
+}  // namespace seaway::bridge::shm
