@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -57,6 +58,8 @@ class Simulation {
   std::span<const Vessel> vessels() const { return vessels_; }
   /// The sea with all that disturbs it, at times about `time()`. Valid until the next step.
   const WaterSurface& surface() const { return disturbed_ ? *disturbed_ : wakes_.surface(); }
+  /// Handle of the waves that vessel `index` does not feel, for SampleOptions::excludeVessel.
+  std::uint32_t ownWake(std::size_t index) const { return wakes_.ownHandle(index); }
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
