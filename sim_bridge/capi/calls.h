@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <type_traits>
 
 #include "sim_bridge/seaway.h"
 #include "surface/input_error.h"
@@ -34,9 +35,15 @@ inline void require(const void* pointer, const char* what) {
   throw CallError(SEAWAY_BAD_ARGUMENT, std::string(what) + " is NULL");
 }
 
-/// Throws CallError SEAWAY_BAD_ARGUMENT unless `holds`.
-inline void requireThat(bool holds, const std::string& otherwise) {
-  if (!holds) throw CallError(SEAWAY_BAD_ARGUMENT, otherwise);
+/// Throws CallError SEAWAY_BAD_ARGUMENT unless `holds`; the message is made only then.
+template <class Message>
+void requireThat(bool holds, const Message& message) {
+  if (holds) return;
+  if constexpr (std::is_invocable_v<Message>) {
+    throw CallError(SEAWAY_BAD_ARGUMENT, message());
+  } else {
+    throw CallError(SEAWAY_BAD_ARGUMENT, message);
+  }
 }
 
 [[noreturn]] void refuseSize(const char* name, std::size_t given, std::size_t known);

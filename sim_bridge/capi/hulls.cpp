@@ -87,16 +87,17 @@ TriangleMesh meshOf(std::size_t vertexCount, const double* vertices, std::size_t
   for (std::size_t i = 0; i < vertexCount; ++i) {
     const glm::dvec3 vertex(vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]);
     requireThat(std::isfinite(vertex.x + vertex.y + vertex.z),
-                "vertex " + std::to_string(i) + " is not finite");
+                [&] { return "vertex " + std::to_string(i) + " is not finite"; });
     mesh.vertices.push_back(vertex);
   }
   for (std::size_t i = 0; i < triangleCount; ++i) {
     const TriangleMesh::Triangle corners(triangles[3 * i], triangles[3 * i + 1],
                                          triangles[3 * i + 2]);
     for (int k = 0; k < 3; ++k) {
-      requireThat(corners[k] < vertexCount,
-                  "triangle " + std::to_string(i) + " has vertex " + std::to_string(corners[k]) +
-                      "; there are " + std::to_string(vertexCount));
+      requireThat(corners[k] < vertexCount, [&] {
+        return "triangle " + std::to_string(i) + " has vertex " + std::to_string(corners[k]) +
+               "; there are " + std::to_string(vertexCount);
+      });
     }
     mesh.triangles.push_back(corners);
   }

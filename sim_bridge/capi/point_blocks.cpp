@@ -6,9 +6,10 @@ namespace seaway::bridge::capi {
 
 void requirePoints(const seaway_points* points) {
   requireStruct(points, "points");
-  requireThat(points->frame == SEAWAY_SEA_PLANE || points->frame == SEAWAY_GEODETIC,
-              "points.frame is " + std::to_string(points->frame) +
-                  "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)");
+  requireThat(points->frame == SEAWAY_SEA_PLANE || points->frame == SEAWAY_GEODETIC, [&] {
+    return "points.frame is " + std::to_string(points->frame) +
+           "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)";
+  });
   if (points->count == 0) return;
   require(points->first, "points.first");
   require(points->second, "points.second");

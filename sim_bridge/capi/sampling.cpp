@@ -5,6 +5,7 @@
 #include "sim_bridge/capi/handles.h"
 #include "sim_bridge/capi/point_blocks.h"
 #include "sim_bridge/capi/sample_options.h"
+#include "sim_bridge/capi/wave_arrays.h"
 #include "sim_bridge/output/number_text.h"
 
 namespace seaway::bridge::capi {
@@ -52,6 +53,9 @@ struct Sampling {
   SampleOptions options;
 
   void run(std::size_t first, std::size_t end) const {
+    if (isPlain(water, points, options)) {
+      return samplePlain(water, points, first, end, options, out);
+    }
     thread_local std::array<SurfaceSample, pointsPerBlock> samples;
     PointBlock& block = threadsBlock();
     PlanePlacer* placer = points.frame == SEAWAY_GEODETIC ? &placerOf(sea) : nullptr;
@@ -100,11 +104,13 @@ struct Sampling {
 
 SampleOptions sampleOptionsOf(const CoupledSea& sea, const CoupledSea::Moment& moment,
                               const seaway_sample_options& given) {
-  requireThat(given.tolerance >= 0.0,
-              "options.tolerance is " + numberText(given.tolerance) + " m; must be >= 0");
-  requireThat(given.shortest_wavelength >= 0.0, "options.shortest_wavelength is " +
-                                                    numberText(given.shortest_wavelength) +
-                                                    " m; must be >= 0");
+  const auto requireNotNegative = [](const char* name, double value) {
+    requireThat(value >= 0.0, [&] {
+      return std::string("options.") + name + " is " + numberText(value) + " m; must be >= 0";
+    });
+  };
+  requireNotNegative("tolerance", given.tolerance);
+  requireNotNegative("shortest_wavelength", given.shortest_wavelength);
   requireThat(given.parallel <= 1, "options.parallel must be 0 or 1");
   SampleOptions options;
   options.tolerance = given.tolerance;

@@ -108,8 +108,10 @@ seaway_status seaway_sea_listen(seaway_sea* sea, size_t count, const seaway_list
       const seaway_listener& given = listeners[i];
       const bool sound = std::isfinite(given.east + given.north + given.radius) &&
                          given.radius >= 0.0;
-      requireThat(sound, "listeners[" + std::to_string(i) +
-                             "]: east, north and radius must be finite, radius >= 0");
+      requireThat(sound, [&] {
+        return "listeners[" + std::to_string(i) +
+               "]: east, north and radius must be finite, radius >= 0";
+      });
       places.push_back({{given.east, given.north}, given.radius, 0});
     }
     heard.listen(std::move(places));

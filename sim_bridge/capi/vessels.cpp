@@ -24,8 +24,10 @@ VesselPose poseOf(const seaway_pose& given, const Geodesy& geodesy) {
   VesselPose pose;
   SeaPlanePoint point;
   requireThat(given.frame == SEAWAY_SEA_PLANE || given.frame == SEAWAY_GEODETIC,
-              "pose.frame is " + std::to_string(given.frame) +
-                  "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)");
+              [&] {
+                return "pose.frame is " + std::to_string(given.frame) +
+                       "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)";
+              });
   if (given.frame == SEAWAY_GEODETIC) {
     point = geodesy.seaPlaneFromGeodetic(given.latitude_deg, given.longitude_deg);
   } else if (std::isfinite(given.east + given.north)) {
@@ -100,9 +102,10 @@ seaway_status seaway_sea_place_vessel(seaway_sea* handle, size_t vessel, double 
     requireVessel(sea, vessel);
     requireStruct(pose, "pose");
     requireThat(std::isfinite(time), "time is not finite");
-    requireThat(sea.place(vessel, time, poseOf(*pose, sea.geodesy())),
-                "time is " + numberText(time) + " s; must be later than the vessel's last pose "
-                "and not before the sea's time");
+    requireThat(sea.place(vessel, time, poseOf(*pose, sea.geodesy())), [&] {
+      return "time is " + numberText(time) +
+             " s; must be later than the vessel's last pose and not before the sea's time";
+    });
   });
 }
 

@@ -1,6 +1,6 @@
 // What the C interface costs on top of the library: 1000 points of a sea of 12 octaves, in turns with
-// the C++ call in one process. `--table` prints medians and 99th percentiles of single calls, and of
-// the differences of neighbours; without it Google Benchmark times both.
+// the C++ calls in one process. `--table` prints medians and 99th percentiles of single calls, and the
+// median difference of neighbours; without it Google Benchmark times them.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -31,7 +31,9 @@ struct Setup {
   std::vector<glm::dvec2> places;
   std::vector<SurfaceSample> answers;
   std::vector<double> east, north, height, slopeEast, slopeNorth, rate;
+  std::vector<float> heights, slopesEast, slopesNorth, rates;
   std::vector<std::uint32_t> status;
+  seaway::SurfaceAtTime prepared = sea.surface.at(0.0);
   seaway_points points = seaway_points_default();
   seaway_samples samples = seaway_samples_default();
 
@@ -43,6 +45,7 @@ struct Setup {
       places.emplace_back(east[i], north[i]);
     }
     for (auto* out : {&height, &slopeEast, &slopeNorth, &rate}) out->resize(count);
+    for (auto* out : {&heights, &slopesEast, &slopesNorth, &rates}) out->resize(count);
     status.resize(count);
     points.count = count;
     points.first = east.data();
@@ -57,6 +60,11 @@ struct Setup {
   Setup(const Setup&) = delete;
 
   void throughLibrary(double t) { sea.surface.sample(places, t, answers); }
+  /// The cheapest form that there is: from arrays to arrays of floats, without error and status.
+  void throughArrays(double t) {
+    prepared.moveTo(sea.surface, t);
+    prepared.sample(east, north, {heights, slopesEast, slopesNorth, rates});
+  }
   void throughC(double t) { seaway_sea_sample(handle, t, &points, nullptr, &samples); }
 };
 
@@ -70,6 +78,12 @@ void throughC(benchmark::State& state) {
   double t = 0.0;
   for (auto _ : state) setup.throughC(t += 0.01);
 }
+void arrays(benchmark::State& state) {
+  Setup setup(static_cast<std::size_t>(state.range(0)));
+  double t = 0.0;
+  for (auto _ : state) setup.throughArrays(t += 0.01);
+}
+BENCHMARK(arrays)->Arg(1)->Arg(1000);
 BENCHMARK(library)->Arg(1)->Arg(1000);
 BENCHMARK(throughC)->Arg(1)->Arg(1000);
 
@@ -86,26 +100,36 @@ double percentile(std::vector<double> values, double part) {
 
 void printRow(std::size_t count, int rounds) {
   Setup setup(count);
-  std::vector<double> cpp, c, more;
+  const auto library = [&](double t) { return microseconds([&] { setup.throughLibrary(t); }); };
+  const auto arrays = [&](double t) { return microseconds([&] { setup.throughArrays(t); }); };
+  const auto c = [&](double t) { return microseconds([&] { setup.throughC(t); }); };
+  std::vector<double> times[3], overLibrary, overArrays;
   for (int i = 0; i < rounds; ++i) {
     const double t = 0.01 * i;
-    // Who goes first changes, so that neither finds the warmer cache.
-    if (i % 2 == 0) cpp.push_back(microseconds([&] { setup.throughLibrary(t); }));
-    c.push_back(microseconds([&] { setup.throughC(t); }));
-    if (i % 2 == 1) cpp.push_back(microseconds([&] { setup.throughLibrary(t); }));
-    more.push_back(c.back() - cpp.back());
+    // Who goes first changes, so that none finds the warmer cache.
+    for (int k = 0; k < 3; ++k) {
+      const int who = (i + k) % 3;
+      times[who].push_back(who == 0 ? library(t) : who == 1 ? arrays(t) : c(t));
+    }
+    overLibrary.push_back(times[2].back() - times[0].back());
+    overArrays.push_back(times[2].back() - times[1].back());
   }
-  std::printf("| %zu | %.2f / %.2f | %.2f / %.2f | %+.2f |\n", count, percentile(cpp, 0.5),
-              percentile(cpp, 0.99), percentile(c, 0.5), percentile(c, 0.99),
-              percentile(more, 0.5));
+  std::printf("| %zu ", count);
+  for (const auto& column : times) {
+    std::printf("| %.2f / %.2f / %.2f ", percentile(column, 0.0), percentile(column, 0.5),
+                percentile(column, 0.99));
+  }
+  std::printf("| %+.2f | %+.2f |\n", percentile(overLibrary, 0.5), percentile(overArrays, 0.5));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--table") == 0) {
-    std::printf("| points | C++ us, median / p99 | C us, median / p99 | difference us, median |\n");
-    std::printf("|---|---|---|---|\n");
+    std::printf(
+        "us, best / median / p99; differences of neighbours, median\n"
+        "| points | C++ samples | C++ arrays of floats | C | C - samples | C - arrays |\n"
+        "|---|---|---|---|---|---|\n");
     for (const std::size_t count : {1, 10, 100, 1000, 10000}) printRow(count, 4000);
     return 0;
   }

@@ -63,6 +63,37 @@ TEST(CapiSampling, GivesTheBitsOfTheLibrary) {
   }
 }
 
+TEST(CapiSampling, GivesTheSameBitsWithoutOrbitalVelocity) {
+  Line line(700);
+  line.east[5] = NAN;
+  line.north[300] = 2e12;
+  for (const double tolerance : {0.0, 0.07}) {
+    for (const double t : {12.5, static_cast<double>(INFINITY)}) {
+      Answers answers(700);
+      const seaway_points points = line.points();
+      seaway_samples out = answers.samples();
+      out.orbital_east = out.orbital_north = out.orbital_up = nullptr;
+      seaway_sample_options options = seaway_sample_options_default();
+      options.tolerance = tolerance;
+      ASSERT_EQ(seaway_sea_sample(openWater(), t, &points, &options, &out), SEAWAY_OK);
+      std::vector<SurfaceSample> truth(700);
+      librarysSea().surface.sample(placesOf(line), t, truth, {.tolerance = tolerance});
+      for (std::size_t i = 0; i < 700; ++i) {
+        const SurfaceSample& s = truth[i];
+        const double expected[] = {s.height, s.slope.x, s.slope.y, s.verticalVelocity,
+                                   s.error,  s.bound};
+        const double given[] = {answers.fields[0][i], answers.fields[1][i], answers.fields[2][i],
+                                answers.fields[3][i], answers.fields[7][i], answers.fields[8][i]};
+        for (std::size_t k = 0; k < 6; ++k) {
+          EXPECT_TRUE(given[k] == expected[k] || (std::isnan(given[k]) && std::isnan(expected[k])))
+              << i << " " << k << " " << given[k] << " " << expected[k];
+        }
+        EXPECT_EQ(answers.status[i], static_cast<std::uint32_t>(s.status)) << i;
+      }
+    }
+  }
+}
+
 TEST(CapiSampling, ThreadsGiveTheSameBits) {
   const Line line(30000, 0.83);
   seaway_sample_options options = seaway_sample_options_default();
