@@ -11,11 +11,11 @@
 namespace seaway::bridge {
 namespace {
 
-const Vessel& mountOf(const Simulation& simulation, const std::string& name) {
-  const auto& vessels = simulation.scene().vessels;
-  const auto found = std::find_if(vessels.begin(), vessels.end(),
-                                  [&](const SceneVessel& vessel) { return vessel.name == name; });
-  return simulation.vessels()[static_cast<std::size_t>(found - vessels.begin())];
+const VesselPose& mountOf(const Scene& scene, const std::string& name, const SceneMoment& moment) {
+  for (const PlacedVessel& placed : moment.vessels) {
+    if (scene.vessels[placed.vessel].name == name) return placed.pose;
+  }
+  throw InputError(scene.file.string(), 0, "the camera's mount '" + name + "' is not there");
 }
 
 void placeOnMount(render::Camera& camera, const SceneCamera& description, VesselPose mount) {
@@ -33,10 +33,9 @@ void placeFixed(render::Camera& camera, const SceneCamera& description, const Ge
   const SeaPlanePoint point = geodesy.seaPlaneFromGeodetic(place.latitude_deg, place.longitude_deg);
   camera.position = glm::dvec3(point.position, place.height);
   // At a pole the place's longitude, not its position, says which way north is.
-  camera.worldFromCamera =
-      render::attitude(towardFromCompassToward(description.yaw_deg) + point.convergence,
-                       radiansFromDegrees(description.pitch_deg),
-                       radiansFromDegrees(description.roll_deg));
+  camera.worldFromCamera = render::attitude(
+      towardFromCompassToward(description.yaw_deg) + point.convergence,
+      radiansFromDegrees(description.pitch_deg), radiansFromDegrees(description.roll_deg));
 }
 
 }  // namespace
@@ -46,28 +45,45 @@ SceneView::SceneView(const Scene& scene) : scene_(&scene) {
   for (const SceneVessel& vessel : scene.vessels) meshes_.push_back(vesselMesh(vessel.model));
 }
 
+render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
+                            const SceneMoment& moment, glm::ivec2 size) {
+  render::Camera placed;
+  placed.verticalFieldOfView = radiansFromDegrees(camera.fieldOfView_deg);
+  placed.size = size;
+  if (camera.place) {
+    placeFixed(placed, camera, *moment.geodesy);
+  } else {
+    placeOnMount(placed, camera, mountOf(scene, camera.mount, moment));
+  }
+  return placed;
+}
+
 render::View SceneView::view(const Simulation& simulation, const SceneCamera& camera,
                              glm::ivec2 size, EffectLedger& ledger) {
-  const Sea& sea = simulation.sea();
-  render::View view;
-  view.water = &simulation.surface();
-  view.time = simulation.time();
-  view.camera.verticalFieldOfView = radiansFromDegrees(camera.fieldOfView_deg);
-  view.camera.size = size;
-  if (camera.place) {
-    placeFixed(view.camera, camera, sea.geodesy);
-  } else {
-    placeOnMount(view.camera, camera, mountOf(simulation, camera.mount).pose());
+  vessels_.clear();
+  for (const Vessel& vessel : simulation.vessels()) {
+    vessels_.push_back({vessels_.size(), vessel.pose()});
   }
+  return view({simulation.time(), &simulation.surface(), &simulation.sea().geodesy, vessels_},
+              camera, size, ledger);
+}
+
+render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camera, glm::ivec2 size,
+                             EffectLedger& ledger) {
+  render::View view;
+  view.water = moment.water;
+  view.time = moment.time;
+  view.camera = placedCamera(*scene_, camera, moment, size);
   const LightSettings& light = scene_->light;
   view.light.sunElevation = radiansFromDegrees(light.sun.elevation_deg);
-  view.light.sunDirection =
-      sea.geodesy.directionFromTrueHeading(glm::dvec2(view.camera.position), light.sun.azimuth_deg);
+  view.light.sunDirection = moment.geodesy->directionFromTrueHeading(
+      glm::dvec2(view.camera.position), light.sun.azimuth_deg);
   view.light.windSpeed = light.wind.speed;
   objects_.clear();
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    const VesselPose pose = simulation.vessels()[i].pose();
-    objects_.push_back({&meshes_[i], glm::dvec3(pose.position, pose.height), pose.worldFromBody()});
+  for (const PlacedVessel& placed : moment.vessels) {
+    objects_.push_back({&meshes_[placed.vessel],
+                        glm::dvec3(placed.pose.position, placed.pose.height),
+                        placed.pose.worldFromBody()});
   }
   view.objects = objects_;
   view.effects = &ledger;

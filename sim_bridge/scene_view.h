@@ -8,6 +8,25 @@
 
 namespace seaway::bridge {
 
+/// A vessel of a scene, by its number, where it is at a moment.
+struct PlacedVessel {
+  std::size_t vessel = 0;
+  VesselPose pose;
+};
+
+/// What there is to see at one time. Refers to its parts, which must outlive it.
+struct SceneMoment {
+  double time = 0.0;  ///< s since the scene's epoch
+  const WaterSurface* water = nullptr;
+  const Geodesy* geodesy = nullptr;
+  std::span<const PlacedVessel> vessels;
+};
+
+/// A camera of a scene at a moment: its place, attitude and field of view. A mounted one stands on
+/// the first of `moment`'s vessels that is its mount. Throws InputError where there is none.
+render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
+                            const SceneMoment& moment, glm::ivec2 size);
+
 /// What pictures of a scene need beside the simulation: the vessels' meshes, made once.
 class SceneView {
  public:
@@ -18,10 +37,14 @@ class SceneView {
   /// and to this object: valid until the next call or until one of them goes.
   render::View view(const Simulation& simulation, const SceneCamera& camera, glm::ivec2 size,
                     EffectLedger& ledger);
+  /// The same of any moment, to whose water it refers.
+  render::View view(const SceneMoment& moment, const SceneCamera& camera, glm::ivec2 size,
+                    EffectLedger& ledger);
 
  private:
   const Scene* scene_;
   std::vector<render::Mesh> meshes_;
+  std::vector<PlacedVessel> vessels_;
   std::vector<render::SceneObject> objects_;
 };
 

@@ -8,14 +8,9 @@
 #include "sim_bridge/scene/vessel_course.h"
 #include "sim_bridge/vessel/wake_footprint.h"
 #include "surface/constants.h"
-#include "surface/disturbance/wake_system.h"
 
 namespace seaway::bridge {
 namespace {
-
-/// A camera sees wakes whose windows begin within this distance, m: the waves of a launch, 20 m
-/// long, are as wide as a pixel or two of a frame there.
-constexpr double cameraReach = 2000.0;
 
 /// A hull presses in full until it carries less than half its weight: leaps and heave in a seaway
 /// alike.
@@ -23,28 +18,6 @@ constexpr double lightestInFull = 0.5;
 
 EffectSetting settingOf(const Scene& scene) {
   return scene.effects[static_cast<std::size_t>(Effect::wake)];
-}
-
-bool makesWaves(const SceneVessel& vessel, const Sea& sea) {
-  const bool moves = vessel.speed != 0.0 || vessel.turn_deg != 0.0 ||
-                     sea.surface.waves().settings().current != glm::dvec2(0.0);
-  return moves && vessel.model.wake.strength > 0.0;
-}
-
-std::vector<WakeLevel> cascadeFor(const Scene& scene, const BoxHull& hull) {
-  const WakeAccuracy& accuracy = scene.accuracy.wakes;
-  return cascadeOf(std::max(hull.length, hull.beam), scene.sea.depth, accuracy.cell,
-                   accuracy.window);
-}
-
-WakeSystemSettings settingsFor(const Scene& scene, const Sea& sea) {
-  WakeSystemSettings settings;
-  settings.depth = scene.sea.depth;
-  settings.current = sea.surface.waves().settings().current;
-  settings.mostWakes = static_cast<std::size_t>(scene.accuracy.wakes.most);
-  settings.cell = scene.accuracy.wakes.cell;
-  settings.window = scene.accuracy.wakes.window;
-  return settings;
 }
 
 WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) {
@@ -55,6 +28,28 @@ WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) 
 }
 
 }  // namespace
+
+bool makesWaves(const SceneVessel& vessel, const Sea& sea) {
+  const bool moves = vessel.speed != 0.0 || vessel.turn_deg != 0.0 ||
+                     sea.surface.waves().settings().current != glm::dvec2(0.0);
+  return moves && vessel.model.wake.strength > 0.0;
+}
+
+std::vector<WakeLevel> wakeCascade(const Scene& scene, const BoxHull& hull) {
+  const WakeAccuracy& accuracy = scene.accuracy.wakes;
+  return cascadeOf(std::max(hull.length, hull.beam), scene.sea.depth, accuracy.cell,
+                   accuracy.window);
+}
+
+WakeSystemSettings wakeSettings(const Scene& scene, const Sea& sea) {
+  WakeSystemSettings settings;
+  settings.depth = scene.sea.depth;
+  settings.current = sea.surface.waves().settings().current;
+  settings.mostWakes = static_cast<std::size_t>(scene.accuracy.wakes.most);
+  settings.cell = scene.accuracy.wakes.cell;
+  settings.window = scene.accuracy.wakes.window;
+  return settings;
+}
 
 struct SceneWakes::Running {
   WakeSystem system;
@@ -87,7 +82,7 @@ double SceneWakes::memory() const {
   if (settingOf(*scene_) == EffectSetting::off || scene_->vessels.size() < 2) return longest;
   for (const SceneVessel& vessel : scene_->vessels) {
     if (!makesWaves(vessel, *sea_)) continue;
-    for (const WakeLevel& level : cascadeFor(*scene_, vessel.model.hull)) {
+    for (const WakeLevel& level : wakeCascade(*scene_, vessel.model.hull)) {
       longest = std::max(longest, memoryOf(level));
     }
   }
@@ -107,7 +102,7 @@ const char* SceneWakes::idleReason() const {
 }
 
 void SceneWakes::start(double t, std::span<const Vessel> vessels) {
-  running_ = std::make_shared<Running>(settingsFor(*scene_, *sea_), sea_->surface);
+  running_ = std::make_shared<Running>(wakeSettings(*scene_, *sea_), sea_->surface);
   for (std::size_t i = 0; i < vessels.size(); ++i) {
     const SceneVessel& description = scene_->vessels[i];
     running_->handles.push_back(0);
@@ -115,7 +110,7 @@ void SceneWakes::start(double t, std::span<const Vessel> vessels) {
     const std::uint32_t handle = running_->system.addVessel(wakeFootprint(description.model));
     running_->handles.back() = handle;
     // On the steps' own times, so that the log does not depend on when it begins.
-    const double step = cascadeFor(*scene_, description.model.hull).front().step;
+    const double step = wakeCascade(*scene_, description.model.hull).front().step;
     const double first = std::floor((t - running_->system.memory(handle)) / step) - 1.0;
     for (double n = first; n * step < t - 1e-3 * step; n += 1.0) {
       running_->system.record(handle, poseAt(n * step, description, vessels[i]));
@@ -176,7 +171,7 @@ bool wakesReach(const Scene& scene, const Sea& sea, double t,
   for (const SceneVessel& vessel : scene.vessels) {
     if (!makesWaves(vessel, sea)) continue;
     const glm::dvec2 at = courseOf(vessel, sea.geodesy).at(t).position;
-    const double reach = reachOf(cascadeFor(scene, vessel.model.hull));
+    const double reach = reachOf(wakeCascade(scene, vessel.model.hull));
     for (const WakeListener& place : places) {
       const glm::dvec2 apart = glm::abs(place.position - at) - place.radius;
       if (std::max(apart.x, apart.y) < reach) return true;

@@ -10,6 +10,7 @@
 #include "sim_bridge/scene/sea.h"
 #include "sim_bridge/vessel/vessel.h"
 #include "surface/disturbance/wake_listener.h"
+#include "surface/disturbance/wake_system.h"
 #include "surface/effects.h"
 
 namespace seaway::bridge {
@@ -57,6 +58,17 @@ class SceneWakes {
   Audience audience_;
   std::shared_ptr<Running> running_;  // written to by its only owner
 };
+
+/// A camera sees wakes whose windows begin within this distance, m: the waves of a launch, 20 m
+/// long, are as wide as a pixel or two of a frame there.
+constexpr double cameraReach = 2000.0;
+
+/// How a scene's wakes run.
+WakeSystemSettings wakeSettings(const Scene& scene, const Sea& sea);
+/// The windows of a hull's waves.
+std::vector<WakeLevel> wakeCascade(const Scene& scene, const BoxHull& hull);
+/// Whether a vessel of the scene moves through the water on its course and leaves waves there.
+bool makesWaves(const SceneVessel& vessel, const Sea& sea);
 
 /// Whether a vessel under way at `t` is so near to one of `places` that they may feel its waves.
 bool wakesReach(const Scene& scene, const Sea& sea, double t, std::span<const WakeListener> places);

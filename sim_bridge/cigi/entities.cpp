@@ -77,12 +77,19 @@ std::optional<EntityPlace> Entities::place(std::uint16_t id, int deepest) const 
   return parent;
 }
 
-void Entities::list(std::vector<HostEntity>& out) const {
+void Entities::list(double waterLevel, std::vector<HostEntity>& out) const {
   out.clear();
   for (const auto& [id, entity] : entities_) {
     const EntityPosition& at = entity.position;
     if (!entity.active || !entity.placed || at.attached) continue;
-    out.push_back({id, entity.type, {at.latitude, at.longitude}, at.altitude, at.yaw});
+    out.push_back({.entity = id,
+                   .type = entity.type,
+                   .place = {at.latitude, at.longitude},
+                   .clamp = at.clamp,
+                   .height = at.altitude - (at.clamp == 0 ? waterLevel : 0.0),
+                   .heading_deg = at.yaw,
+                   .pitch_deg = at.pitch,
+                   .roll_deg = at.roll});
   }
   std::sort(out.begin(), out.end(),
             [](const HostEntity& a, const HostEntity& b) { return a.entity < b.entity; });

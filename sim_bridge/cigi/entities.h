@@ -33,8 +33,9 @@ class Entities {
   /// unknown, inactive, or attached in a ring or more than eight deep.
   std::optional<EntityPlace> place(std::uint16_t entity) const;
 
-  /// The active ones that are attached to none, by rising number.
-  void list(std::vector<HostEntity>& out) const;
+  /// The active ones that are attached to none, by rising number; `waterLevel` m above mean sea
+  /// level.
+  void list(double waterLevel, std::vector<HostEntity>& out) const;
 
  private:
   struct Entity {

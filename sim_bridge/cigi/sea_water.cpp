@@ -54,7 +54,7 @@ std::uint32_t SeaWater::hullOf(const WaterPoint& point) const {
   if (point.host == 0 || hulls_.empty()) return 0;
   const auto found = hulls_.find({point.host, point.entity});
   if (found == hulls_.end()) return 0;
-  return sea_.scene().vessels[point.entity].model.wake.feltByItself ? 0 : found->second;
+  return sea_.ownWake(found->second);
 }
 
 void SeaWater::place(std::span<const WaterPoint> points) {
@@ -71,8 +71,7 @@ void SeaWater::place(std::span<const WaterPoint> points) {
   }
 }
 
-void SeaWater::advanceWakes(double t) {
-  if (hulls_.empty() || !std::isfinite(t)) return;
+void SeaWater::attend(double t) {
   listeners_.clear();
   for (const Run& run : runs_) {
     glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
@@ -84,12 +83,12 @@ void SeaWater::advanceWakes(double t) {
     if (least.x > most.x) continue;
     listeners_.push_back({0.5 * (least + most), 0.5 * glm::length(most - least), run.hull});
   }
-  sea_.advanceWakes(t, listeners_);
+  sea_.attend(t, listeners_);
 }
 
 void SeaWater::heights(double t, std::span<const WaterPoint> points, std::span<WaterHeight> out) {
   place(points);
-  advanceWakes(t);
+  attend(t);
   samples_.resize(points.size());
   const auto surface = sea_.surface();
   for (const Run& run : runs_) {
@@ -107,7 +106,7 @@ void SeaWater::heights(double t, std::span<const WaterPoint> points, std::span<W
 void SeaWater::velocities(double t, std::span<const WaterPoint> points,
                           std::span<WaterVelocity> out) {
   place(points);
-  advanceWakes(t);
+  attend(t);
   const auto surface = sea_.surface();
   const glm::dvec2 current = surface->waves().settings().current;
   points_.clear();
@@ -133,7 +132,7 @@ void SeaWater::velocities(double t, std::span<const WaterPoint> points,
 
 void SeaWater::wavesAsked(std::uint32_t, double, std::span<const HostWave> waves) {
   if (waves.empty()) return sea_.restoreOctaves();
-  const double depth = sea_.scene().sea.depth;
+  const double depth = sea_.scene()->sea.depth;
   std::vector<Octave> octaves;
   for (const HostWave& wave : waves) {
     if (!isConsistent(wave, depth) && !std::exchange(warnedOfLength_, true)) {
@@ -153,25 +152,35 @@ void SeaWater::wavesAsked(std::uint32_t, double, std::span<const HostWave> waves
   }
 }
 
+bool SeaWater::follow(std::uint32_t hull, double t, const HostEntity& entity) {
+  HostedPose pose{entity.place.latitude_deg, entity.place.longitude_deg, entity.height,
+                  entity.heading_deg,        entity.pitch_deg,           entity.roll_deg};
+  if (entity.clamp == 0) return sea_.place(hull, t, pose);
+  const PlacedPoint& base = baseOf(pose.latitude_deg, pose.longitude_deg);
+  const bool serves = WaveField::serves(base.position, t) && std::isfinite(pose.heading_deg);
+  if (!serves) return false;
+  const double direction = sea_.geodesy().directionFromTrueHeading(base.position, pose.heading_deg);
+  const VesselPose afloat = sea_.afloat(entity.entity, base.position, direction, t);
+  pose.height += afloat.height;
+  if (entity.clamp > 1) {
+    pose.pitch_deg += degreesFromRadians(afloat.pitch);
+    pose.roll_deg += degreesFromRadians(afloat.roll);
+  }
+  return sea_.place(hull, t, pose);
+}
+
 void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEntity> entities) {
   std::set<std::uint16_t> present;
   for (const HostEntity& entity : entities) {
-    if (entity.entity >= sea_.scene().vessels.size()) continue;
-    const PlacedPoint& base = baseOf(entity.place.latitude_deg, entity.place.longitude_deg);
-    const bool placed = WaveField::serves(base.position, t) && std::isfinite(entity.heading_deg);
-    if (!placed) continue;
-    present.insert(entity.entity);
     const HullKey key{host, entity.entity};
-    if (!hulls_.contains(key)) {
-      const std::uint32_t hull = sea_.addHull(entity.entity);
-      if (hull != 0) hulls_[key] = hull;
+    auto hull = hulls_.find(key);
+    if (hull == hulls_.end()) {
+      const std::uint32_t made = sea_.addHull(entity.entity);
+      if (made == 0) continue;
+      hull = hulls_.emplace(key, made).first;
     }
-    const auto hull = hulls_.find(key);
-    if (hull == hulls_.end()) continue;
-    const double heading =
-        sea_.geodesy().directionFromTrueHeading(base.position, entity.heading_deg);
-    const double strength = sea_.scene().vessels[entity.entity].model.wake.strength;
-    sea_.record(hull->second, {t, base.position, heading, strength});
+    present.insert(entity.entity);
+    follow(hull->second, t, entity);
   }
   std::erase_if(hulls_, [&](const auto& entry) {
     const bool gone = entry.first.first == host && !present.contains(entry.first.second);

@@ -24,8 +24,9 @@ namespace seaway::bridge::cigi {
 /// that at the anchor and the epoch. A wavelength that does not go with the period is passed over
 /// with a warning, as are waves that are no field. Without any the scene's own sea comes back.
 ///
-/// Entity 0 of a host is a hull of the scene's first vessel, 1 of its second, and so on: those make
-/// wakes (ServedSea), which points of the entity itself do not feel.
+/// Entity 0 of a host is a hull of the scene's first vessel, 1 of its second, and so on: those are
+/// seen in pictures and make wakes (ServedSea), which points of the entity itself do not feel. One
+/// that is clamped floats on the water as it is in the mean under it.
 ///
 /// For one thread at a time; several on one sea.
 class SeaWater : public Water {
@@ -50,7 +51,8 @@ class SeaWater : public Water {
   const PlacedPoint& baseOf(double latitude_deg, double longitude_deg);
   std::uint32_t hullOf(const WaterPoint& point) const;
   void place(std::span<const WaterPoint> points);
-  void advanceWakes(double t);
+  void attend(double t);
+  bool follow(std::uint32_t hull, double t, const HostEntity& entity);
 
   ServedSea& sea_;
   PlanePlacer placer_;

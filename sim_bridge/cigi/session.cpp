@@ -198,7 +198,7 @@ void CigiSession::set(const WaveControl& control) {
 void CigiSession::tellWater() {
   if (waves_.changed(wavesAsked_)) water_.wavesAsked(options_.host, time_, wavesAsked_);
   const bool werePlaced = !placed_.empty();
-  entities_.list(placed_);
+  entities_.list(waterLevel_, placed_);
   if (werePlaced || !placed_.empty()) water_.entitiesAt(options_.host, time_, placed_);
 }
 

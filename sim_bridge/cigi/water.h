@@ -50,8 +50,11 @@ struct HostEntity {
   std::uint16_t entity = 0;
   std::uint16_t type = 0;
   WaterPoint place;
-  double altitude = 0.0;     ///< m above mean sea level
+  std::uint8_t clamp = 0;    ///< 1: held to the water's height; 2: to its slope too
+  double height = 0.0;       ///< m above the still-water level, or, clamped, above the water
   double heading_deg = 0.0;  ///< true, of the bow
+  double pitch_deg = 0.0;    ///< bow up
+  double roll_deg = 0.0;     ///< starboard down
 };
 
 class Water {

@@ -85,7 +85,7 @@ std::unique_ptr<Endpoint> makeCigiEndpoint(const CigiServiceOptions& options, Se
   udp.session.pacing = synchronous ? cigi::Pacing::synchronous : cigi::Pacing::asynchronous;
   udp.session.hostClock = clock.isHosts();
   udp.session.framePeriod = 1.0 / options.rate;
-  udp.session.waterLevel = sea.scene().sea.waterLevel;
+  udp.session.waterLevel = sea.scene()->sea.waterLevel;
   udp.now = [clock] { return clock.now(); };
   return std::make_unique<CigiEndpoint>(std::move(udp), sea);
 }

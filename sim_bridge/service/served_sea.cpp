@@ -1,68 +1,199 @@
 #include "sim_bridge/service/served_sea.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
-#include "sim_bridge/vessel/wake_footprint.h"
+#include "sim_bridge/vessel/vessel.h"
+#include "surface/angles.h"
+#include "surface/input_error.h"
 
 namespace seaway::bridge {
 
-ServedSea::ServedSea(const Scene& scene, Sea sea) : scene_(&scene), sea_(std::move(sea)) {
-  publish(sea_.surface);
+ServedSea::ServedSea(const Scene& scene, Sea sea) : geodesy_(sea.geodesy) {
+  composed_ = noted_ = std::make_shared<const ServedScene>(scene, std::move(sea));
+  scene_.publish(noted_);
+  publish();
+  thread_ = std::jthread([this](const std::stop_token& stop) { keepWakes(stop); });
 }
 
-void ServedSea::publish(WaterSurface surface) {
-  if (wakes_) surface.setDisturbances(wakes_->feed());
+ServedSea::~ServedSea() = default;
+
+std::shared_ptr<const Scene> ServedSea::scene() const noexcept {
+  const auto served = scene_.latest();
+  return {served, &served->scene};
+}
+
+// Under composing_.
+void ServedSea::publish() {
+  const WaterSurface& own = composed_->sea.surface;
+  WaterSurface surface = own;
+  if (hostWaves_) {
+    surface = WaterSurface(*hostWaves_);
+    surface.setOutline(own.sharedOutline());
+    surface.setEvents(own.extras().events);
+    surface.setDetail(own.extras().detail);
+  }
+  if (feed_) surface.setDisturbances(feed_);
   surface_.publish(std::make_shared<const WaterSurface>(std::move(surface)));
 }
 
 void ServedSea::setOctaves(std::vector<Octave> octaves) {
-  WaterSurface surface(WaveField(std::move(octaves), sea_.surface.waves().settings()));
-  surface.setOutline(sea_.surface.sharedOutline());
-  surface.setEvents(sea_.surface.extras().events);
-  surface.setDetail(sea_.surface.extras().detail);
-  const std::lock_guard lock(writing_);
-  publish(std::move(surface));
+  const auto settings = surface()->waves().settings();
+  auto waves = std::make_shared<const WaveField>(std::move(octaves), settings);
+  const std::lock_guard lock(composing_);
+  hostWaves_ = std::move(waves);
+  publish();
 }
 
 void ServedSea::restoreOctaves() {
-  const std::lock_guard lock(writing_);
-  publish(sea_.surface);
+  const std::lock_guard lock(composing_);
+  hostWaves_ = nullptr;
+  publish();
+}
+
+void ServedSea::setFeed(std::shared_ptr<const DisturbanceFeed> feed, const ServedScene& of) {
+  const std::lock_guard lock(composing_);
+  if (composed_.get() != &of) return;  // a scene of before
+  feed_ = std::move(feed);
+  publish();
+}
+
+void ServedSea::replaceScene(const Scene& scene, Sea sea) {
+  auto next = std::make_shared<const ServedScene>(scene, std::move(sea));
+  const GeodeticPosition& here = geodesy_.anchor();
+  const GeodeticPosition& there = next->sea.geodesy.anchor();
+  if (here.latitude_deg != there.latitude_deg || here.longitude_deg != there.longitude_deg) {
+    throw InputError(scene.file.string(), 0,
+                     "key 'sea.anchor': a scene that is served keeps its anchor; end the service "
+                     "and begin anew");
+  }
+  const std::lock_guard noting(noting_);
+  const std::lock_guard composing(composing_);
+  std::vector<std::optional<std::size_t>> numbers;
+  for (const SceneVessel& old : noted_->scene.vessels) {
+    numbers.emplace_back();
+    for (std::size_t i = 0; i < next->scene.vessels.size(); ++i) {
+      if (next->scene.vessels[i].name == old.name) numbers.back() = i;
+    }
+  }
+  if (hostWaves_) {
+    hostWaves_ = std::make_shared<const WaveField>(
+        std::vector<Octave>(hostWaves_->octaves().begin(), hostWaves_->octaves().end()),
+        next->sea.surface.waves().settings());
+  }
+  fleet_.renumber(numbers);
+  fleet_.retell();
+  composed_ = noted_ = next;
+  feed_ = nullptr;
+  publish();
+  scene_.publish(next);
+  coveredFrom_ = 1.0, coveredTo_ = 0.0;
+  wanted_ = true;
+  ++calls_;
+  called_.notify_all();
 }
 
 std::uint32_t ServedSea::addHull(std::size_t index) {
-  const EffectSetting setting = scene_->effects[static_cast<std::size_t>(Effect::wake)];
-  if (index >= scene_->vessels.size() || setting == EffectSetting::off) return 0;
-  if (!(scene_->vessels[index].model.wake.strength > 0.0)) return 0;
-  const std::lock_guard lock(writing_);
-  if (!wakes_) {
-    WakeSystemSettings settings;
-    settings.depth = scene_->sea.depth;
-    settings.current = sea_.surface.waves().settings().current;
-    settings.mostWakes = static_cast<std::size_t>(scene_->accuracy.wakes.most);
-    settings.cell = scene_->accuracy.wakes.cell;
-    settings.window = scene_->accuracy.wakes.window;
-    wakes_ = std::make_unique<WakeSystem>(settings);
-    publish(*surface());
-  }
-  ++hulls_;
-  return wakes_->addVessel(wakeFootprint(scene_->vessels[index].model));
+  const std::lock_guard lock(noting_);
+  return index < noted_->vessels.size() ? fleet_.add(index) : 0;
 }
 
 void ServedSea::removeHull(std::uint32_t hull) {
-  const std::lock_guard lock(writing_);
-  if (!wakes_ || hull == 0) return;
-  wakes_->removeVessel(hull);
-  --hulls_;
+  const std::lock_guard lock(noting_);
+  fleet_.remove(hull);
 }
 
-void ServedSea::record(std::uint32_t hull, const WakePose& pose) {
-  const std::lock_guard lock(writing_);
-  if (wakes_ && hull != 0) wakes_->record(hull, pose);
+bool ServedSea::place(std::uint32_t hull, double t, const HostedPose& pose) {
+  const SeaPlanePoint point = geodesy_.seaPlaneFromGeodetic(pose.latitude_deg, pose.longitude_deg);
+  VesselPose placed;
+  placed.position = point.position;
+  placed.direction = towardFromCompassToward(pose.heading_deg) + point.convergence;
+  placed.height = pose.height;
+  placed.pitch = radiansFromDegrees(pose.pitch_deg);
+  placed.roll = radiansFromDegrees(pose.roll_deg);
+  const bool sane = point.inRange && WaveField::serves(placed.position, t) &&
+                    std::isfinite(placed.direction + placed.height + placed.pitch + placed.roll);
+  if (!sane) return false;
+  const std::lock_guard lock(noting_);
+  return fleet_.place(hull, t, placed);
 }
 
-void ServedSea::advanceWakes(double t, std::span<const WakeListener> listeners) {
-  const std::lock_guard lock(writing_);
-  if (wakes_ && (hulls_ > 0 || wakes_->running() > 0)) wakes_->advance(t, listeners);
+std::uint32_t ServedSea::ownWake(std::uint32_t hull) const {
+  const std::lock_guard lock(noting_);
+  const auto found = fleet_.hulls().find(hull);
+  if (found == fleet_.hulls().end()) return 0;
+  const VesselWake& wake = noted_->scene.vessels[found->second.vessel].model.wake;
+  return wake.feltByItself ? 0 : hull;
+}
+
+std::vector<bool> ServedSea::hostedVessels() const {
+  std::vector<bool> hosted(noted_->vessels.size());
+  for (const auto& [number, hull] : fleet_.hulls()) {
+    if (hull.isPlaced()) hosted[hull.vessel] = true;
+  }
+  return hosted;
+}
+
+namespace {
+
+VesselPose afloatOn(const WaterSurface& surface, const ServedScene& scene, std::size_t vessel,
+                    const Course& course, double t, std::uint32_t own) {
+  const VesselModel& model = scene.scene.vessels[vessel].model;
+  Vessel floating(model.hull, course);
+  std::vector<glm::dvec2> points(floating.sampleCount());
+  std::vector<SurfaceSample> water(points.size());
+  floating.samplePoints(t, points);
+  surface.sample(points, t, water, {.excludeVessel = model.wake.feltByItself ? 0 : own});
+  for (SurfaceSample& sample : water) {
+    // Ashore it lies at still-water level.
+    if (!std::isfinite(sample.height)) sample = SurfaceSample{};
+  }
+  const bool moves =
+      scene.scene.effects[static_cast<std::size_t>(Effect::vesselMotion)] != EffectSetting::off;
+  moves ? floating.settle(t, water) : floating.advanceUpright(t, water);
+  VesselPose pose = floating.pose();
+  const CoursePoint place = course.at(t);
+  pose.position = place.position;
+  pose.direction = place.direction;
+  return pose;
+}
+
+}  // namespace
+
+ServedMoment ServedSea::moment(double t) const {
+  ServedMoment result;
+  result.time = t;
+  std::vector<bool> hosted;
+  {
+    const std::lock_guard lock(noting_);
+    result.scene = noted_;
+    result.surface = surface();
+    hosted = hostedVessels();
+    for (const auto& [number, hull] : fleet_.hulls()) {
+      if (const auto pose = fleet_.at(number, t)) {
+        result.hulls.push_back({{hull.vessel, *pose}, number});
+      }
+    }
+  }
+  for (std::size_t i = 0; i < hosted.size(); ++i) {
+    if (hosted[i]) continue;
+    result.hulls.push_back(
+        {{i, afloatOn(*result.surface, *result.scene, i, result.scene->vessels[i].course, t,
+                      ServedScene::handleOf(i))},
+         0});
+  }
+  std::stable_sort(result.hulls.begin(), result.hulls.end(),
+                   [](const auto& a, const auto& b) { return a.vessel < b.vessel; });
+  return result;
+}
+
+VesselPose ServedSea::afloat(std::size_t vessel, glm::dvec2 position, double direction,
+                             double t) const {
+  const auto scene = scene_.latest();
+  if (vessel >= scene->vessels.size()) return {};
+  return afloatOn(*surface(), *scene, vessel, Course(position, direction, 0.0, 0.0), t, 0);
 }
 
 }  // namespace seaway::bridge

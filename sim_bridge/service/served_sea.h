@@ -1,33 +1,63 @@
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <span>
+#include <stop_token>
+#include <thread>
+#include <utility>
 #include <vector>
 
-#include "sim_bridge/scene/scene.h"
-#include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene_view.h"
+#include "sim_bridge/service/hosted_pose.h"
+#include "sim_bridge/service/meter.h"
+#include "sim_bridge/service/served_fleet.h"
+#include "sim_bridge/service/served_scene.h"
+#include "sim_bridge/service/wake_attention.h"
 #include "surface/disturbance/published.h"
-#include "surface/disturbance/wake_system.h"
 #include "surface/water_surface.h"
 
 namespace seaway::bridge {
 
+class WakeKeeper;
+
+/// A vessel that is there at some time: one that a host sails, or one on the scene's course.
+struct ServedHull : PlacedVessel {
+  std::uint32_t hull = 0;  ///< the host's; 0: of the scene
+};
+
+/// Everything at one time: what a picture is drawn of.
+struct ServedMoment {
+  double time = 0.0;
+  std::shared_ptr<const ServedScene> scene;
+  std::shared_ptr<const WaterSurface> surface;
+  std::vector<ServedHull> hulls;  ///< by vessel
+};
+
 /// The one sea that all endpoints of a service ask and change. Thread-safe: readers take the
-/// surface without waiting, writers wait for each other.
+/// surface without waiting, nobody waits for wakes, and what others wait for takes microseconds.
 ///
-/// Hulls that hosts sail leave wakes as WakeSystem has them, where the scene's effects do not
-/// switch wakes off: while somebody asks near them.
+/// Without wakes the sea is a function of t alone. Wakes are there for a span of time (WakeKeeper,
+/// WakeAttention), brought on by a thread of the sea's own where somebody asks near them
+/// (`attend`); answers outside that span say `wakeOutOfTime`. Where a scene switches wakes off
+/// there is no thread.
 class ServedSea {
  public:
-  /// `scene` must outlive the sea.
   ServedSea(const Scene& scene, Sea sea);
+  ~ServedSea();
 
-  const Scene& scene() const { return *scene_; }
-  const Geodesy& geodesy() const { return sea_.geodesy; }
+  /// The scene as it is now: hold it while you look at it, for another may be loaded.
+  std::shared_ptr<const Scene> scene() const noexcept;
+  /// Of every scene that is served: it stays.
+  const Geodesy& geodesy() const { return geodesy_; }
+  Meters& meters() { return meters_; }
 
-  /// The surface as it is now, wakes included; never null.
+  /// The surface as it is now, wakes included; never null. Take it once a request.
   std::shared_ptr<const WaterSurface> surface() const noexcept { return surface_.latest(); }
 
   /// Other waves from now on. Throws InputError for octaves that are no field; the sea is then as
@@ -36,24 +66,78 @@ class ServedSea {
   /// The scene's own waves again.
   void restoreOctaves();
 
-  /// A hull of the scene's vessel `index` that a host sails; 0 where there is no such vessel, or
-  /// it makes no waves, or wakes are switched off.
+  /// Another scene from now on. Hosts' hulls stay where the scene has a vessel of the same name,
+  /// waves that a host has set stay too; wakes begin anew. Throws InputError for a scene with
+  /// another anchor, where hosts' places would be others; the old one is then served on.
+  void replaceScene(const Scene& scene, Sea sea);
+
+  /// A hull of the scene's vessel `index` that a host sails, in place of the scene's own from its
+  /// first pose on; 0 where there is no such vessel.
   std::uint32_t addHull(std::size_t index);
   void removeHull(std::uint32_t hull);
-  void record(std::uint32_t hull, const WakePose& pose);
+  /// Puts a hull somewhere at time `t`. False, and nothing changes, for a hull that is not there, a
+  /// number that is not finite, a place out of the geodesy's range, or a time not after the last;
+  /// a time more than a second before it means that the host begins again.
+  bool place(std::uint32_t hull, double t, const HostedPose& pose);
+  /// For SampleOptions::excludeVessel of points on the hull itself; 0 where it feels its own waves.
+  std::uint32_t ownWake(std::uint32_t hull) const;
 
-  /// Brings the wakes to `t` for those who ask. Nothing where there is no hull.
-  void advanceWakes(double t, std::span<const WakeListener> listeners);
+  /// All hulls at `t`: hosts' where they were placed (ServedFleet::at), the others on the scene's
+  /// courses, lying on the water as it is in the mean under them.
+  std::vector<ServedHull> hulls(double t) const { return moment(t).hulls; }
+  /// The same with the scene and the surface that go with it.
+  ServedMoment moment(double t) const;
+  /// How a vessel of the scene would lie on the water.
+  VesselPose afloat(std::size_t vessel, glm::dvec2 position, double direction, double t) const;
+
+  /// Who asks, and when: returns at once, and the sea's thread brings the wakes there. The status,
+  /// which belongs to that of each answer, says `wakeOutOfTime` where wakes are near a listener and
+  /// are not there at `t` now.
+  SampleStatus attend(double t, std::span<const WakeListener> listeners);
+  /// Waits until wakes are as they were called for before: true; not longer than `seconds`: false.
+  bool awaitWakes(double seconds) const;
+  /// From when to when wakes are there; nothing where there are none.
+  std::optional<std::pair<double, double>> wakeSpan() const;
+
+  struct WakeFigures {
+    std::size_t running = 0;
+    std::size_t memoryBytes = 0;
+  };
+  WakeFigures wakeFigures() const;
 
  private:
-  void publish(WaterSurface surface);
+  void publish();
+  void keepWakes(const std::stop_token& stop);
+  void bringWakes(std::unique_ptr<WakeKeeper>& keeper, std::unique_lock<std::mutex>& lock);
+  void setFeed(std::shared_ptr<const DisturbanceFeed> feed, const ServedScene& of);
+  void findNear(double t, const WakeListener& listener, std::vector<std::uint32_t>& out) const;
+  bool isBrought(double t, std::uint32_t wake) const;
+  std::vector<bool> hostedVessels() const;
 
-  const Scene* scene_;
-  Sea sea_;
-  std::mutex writing_;
-  std::unique_ptr<WakeSystem> wakes_;  // from the first hull on
-  std::size_t hulls_ = 0;
+  const Geodesy geodesy_;
+  Meters meters_;
   Published<WaterSurface> surface_;
+  Published<ServedScene> scene_;
+
+  // What the surface is made of. Taken after noting_, where both are.
+  std::mutex composing_;
+  std::shared_ptr<const ServedScene> composed_;
+  std::shared_ptr<const WaveField> hostWaves_;  // null: the scene's
+  std::shared_ptr<const DisturbanceFeed> feed_;
+
+  // What hosts do; held for microseconds alone.
+  mutable std::mutex noting_;
+  mutable std::condition_variable_any called_, brought_;
+  std::shared_ptr<const ServedScene> noted_;
+  ServedFleet fleet_;
+  WakeAttention attention_;
+  std::uint64_t calls_ = 0, answers_ = 0;  // of the thread: asked for, and done
+  bool wanted_ = false;
+  double coveredFrom_ = 1.0, coveredTo_ = 0.0;  // s: where the thread has brought the wakes
+  std::set<std::uint32_t> broughtWakes_;        // of these hulls, as far as they make any
+  std::vector<std::uint32_t> near_;
+  WakeFigures figures_;
+  std::jthread thread_;  // goes first
 };
 
 }  // namespace seaway::bridge

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "surface/input_error.h"
 
@@ -60,7 +61,10 @@ WakeSystem::WakeSystem(const WakeSystemSettings& settings) : settings_(settings)
 }
 
 WakeSystem::WakeSystem(const WakeSystem& other)
-    : settings_(other.settings_), tables_(other.tables_), nextHandle_(other.nextHandle_) {
+    : settings_(other.settings_),
+      tables_(other.tables_),
+      nextHandle_(other.nextHandle_),
+      dropped_(other.dropped_) {
   for (const auto& vessel : other.vessels_) vessels_.push_back(std::make_unique<Vessel>(*vessel));
   published_->publish(other.latest());
 }
@@ -68,19 +72,39 @@ WakeSystem::WakeSystem(const WakeSystem& other)
 WakeSystem::~WakeSystem() = default;
 
 std::uint32_t WakeSystem::addVessel(const HullFootprint& hull) {
+  const std::uint32_t handle = nextHandle_;
+  addVessel(handle, hull);
+  return handle;
+}
+
+void WakeSystem::addVessel(std::uint32_t handle, const HullFootprint& hull) {
+  const bool taken = std::any_of(vessels_.begin(), vessels_.end(), [&](const auto& known) {
+    return known->handle == handle && !known->removed;
+  });
+  if (handle == 0 || taken) {
+    throw InputError("a vessel cannot have the handle " + std::to_string(handle));
+  }
   const glm::dvec2 extent = hull.upper() - hull.lower();
   auto levels = settings_.cascade.empty() ? cascadeOf(std::max(extent.x, extent.y), settings_.depth,
                                                       settings_.cell, settings_.window)
                                           : settings_.cascade;
   for (WakeLevel& level : levels) level.window.depth = settings_.depth;
-  vessels_.push_back(std::make_unique<Vessel>(nextHandle_, hull, std::move(levels)));
-  return nextHandle_++;
+  vessels_.push_back(std::make_unique<Vessel>(handle, hull, std::move(levels)));
+  nextHandle_ = std::max(nextHandle_, handle + 1);
 }
 
 void WakeSystem::removeVessel(std::uint32_t vessel) {
   for (const auto& known : vessels_) {
     if (known->handle == vessel) known->removed = true;
   }
+}
+
+void WakeSystem::dropVessel(std::uint32_t vessel) {
+  std::erase_if(vessels_, [&](const auto& known) {
+    if (known->handle != vessel) return false;
+    dropped_ = dropped_ || !known->wakes.empty();
+    return true;
+  });
 }
 
 PoseAnswer WakeSystem::record(std::uint32_t vessel, const WakePose& pose) {
@@ -203,7 +227,7 @@ void WakeSystem::advance(double t, std::span<const WakeListener> listeners, Effe
   const bool runs = !ledger || ledger->decide(Effect::wake, !called.empty(), reason);
   if (!runs) called.clear();
   EffectTimer timer(runs ? ledger : nullptr, Effect::wake);
-  bool changed = false;
+  bool changed = std::exchange(dropped_, false);
   for (const auto& vessel : vessels_) {
     const bool kept = std::any_of(called.begin(), called.end(),
                                   [&](const Call& call) { return call.vessel == vessel.get(); });

@@ -48,8 +48,12 @@ class WakeSystem {
 
   /// A vessel's handle, above 0.
   std::uint32_t addVessel(const HullFootprint& hull);
+  /// The same with a handle of the caller's choice, above 0, that no vessel has. Throws InputError.
+  void addVessel(std::uint32_t handle, const HullFootprint& hull);
   /// Its waves stay until they are gone. Unknown handles are ignored.
   void removeVessel(std::uint32_t vessel);
+  /// The vessel and its waves are gone from the next `advance` on, as if it had never been.
+  void dropVessel(std::uint32_t vessel);
 
   /// Notes where a vessel is; its first pose, and a move faster than 100 m/s, put it there without
   /// a wake. A pose that is refused changes nothing. Throws InputError for an unknown vessel.
@@ -90,6 +94,7 @@ class WakeSystem {
   std::shared_ptr<Published<DisturbanceState>> published_ =
       std::make_shared<Published<DisturbanceState>>();
   std::uint32_t nextHandle_ = 1;
+  bool dropped_ = false;  // waves that were published last
 };
 
 }  // namespace seaway

@@ -193,6 +193,7 @@ TEST(CigiSeaWater, AHostsHullLeavesAWakeThatItDoesNotFeelItself) {
     }
     std::vector<WaterHeight> out(points.size());
     served.water.heights(t, points, out);
+    EXPECT_TRUE(served.sea.awaitWakes(60.0));
     for (std::size_t i = 0; i < points.size(); ++i) {
       ASSERT_TRUE(out[i].valid);
       double& most = i < 12 ? felt : own;

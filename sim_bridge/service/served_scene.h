@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim_bridge/scene/scene.h"
+#include "sim_bridge/scene/sea.h"
+#include "sim_bridge/vessel/course.h"
+
+namespace seaway::bridge {
+
+/// What a vessel of a served scene does where no host sails it, and how its waves run.
+struct ServedVessel {
+  Course course;
+  bool makesWaves = false;    ///< on its course
+  bool canMakeWaves = false;  ///< when a host moves it
+  double reach = 0.0;         ///< of its wakes' windows along both axes, m
+  double step = 0.1;          ///< of the finest window, s
+};
+
+/// A scene with its sea, as they were loaded. Immutable.
+struct ServedScene {
+  ServedScene(const Scene& loaded, Sea built);
+  ServedScene(const ServedScene&) = delete;
+
+  Scene scene;
+  Sea sea;
+  bool wakesAllowed;                  ///< the scene does not switch wakes off
+  std::vector<ServedVessel> vessels;  ///< one each of the scene's
+
+  /// Handle of the wake of the scene's own vessel `index`; hosts' hulls have theirs below.
+  static constexpr std::uint32_t handleOf(std::size_t index) {
+    return 0x8000'0000u + static_cast<std::uint32_t>(index);
+  }
+};
+
+}  // namespace seaway::bridge
