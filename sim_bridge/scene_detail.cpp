@@ -6,6 +6,7 @@
 
 #include "sim_bridge/scene/sea.h"
 #include "sim_bridge/scene/vessel_course.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "surface/angles.h"
 #include "surface/disturbance/layers/layer_file.h"
 #include "surface/field/lattice_hash.h"
@@ -82,10 +83,13 @@ RippleSource rippleSource(const SceneRipples& ripples, const Geodesy& geodesy) {
 
 SceneDetail::SceneDetail(const Scene& scene, const Sea& sea) : scene_(&scene), sea_(&sea) {
   addPatches();
-  for (const SceneVessel& vessel : scene.vessels) {
+  for (std::size_t i = 0; i < scene.vessels.size(); ++i) {
+    const SceneVessel& vessel = scene.vessels[i];
     if (isOff(scene, Effect::trail) || !isUnderWay(vessel, sea)) continue;
-    trails_.push_back(
-        {{vessel.model.hull.length, vessel.model.hull.beam}, courseOf(vessel, sea.geodesy)});
+    trails_.push_back({{vessel.model.hull.length, vessel.model.hull.beam},
+                       courseOf(vessel, sea.geodesy),
+                       i,
+                       sailsFreely(scene, vessel)});
   }
   if (isOff(scene, Effect::ripples)) return;
   for (const SceneRipples& ripples : scene.ripples) {
@@ -148,19 +152,21 @@ SurfaceLayer& SceneDetail::layer(LayerKind kind) {
   return **which;
 }
 
-void SceneDetail::paintStroke(long long stroke) {
+void SceneDetail::paintStroke(long long stroke, std::span<const Vessel> vessels) {
   const double from = static_cast<double>(stroke) * strokeLength, to = from + strokeLength;
   const glm::dvec2 current = sea_->surface.waves().settings().current;
   for (const Trail& trail : trails_) {
+    if (trail.free && vessels.empty() && from >= 0.0) continue;
+    const bool follows = trail.free && !vessels.empty();
     const auto poseAt = [&](double t) {
-      const CoursePoint place = trail.course.at(t);
+      const CoursePoint place = follows ? vessels[trail.vessel].placeAt(t) : trail.course.at(t);
       return TrailPose{place.position, place.direction, place.velocity - current};
     };
     paintTrail(trail.hull, poseAt, from, to, layer(LayerKind::foam), layer(LayerKind::smooth));
   }
 }
 
-bool SceneDetail::paint(double t, EffectLedger* ledger) {
+bool SceneDetail::paint(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
   const auto last = static_cast<long long>(std::floor(t / strokeLength));
   const bool trails = !trails_.empty();
   EffectTimer timer(trails ? ledger : nullptr, Effect::trail);
@@ -181,7 +187,7 @@ bool SceneDetail::paint(double t, EffectLedger* ledger) {
   };
   for (; next < last; ++next) {
     paintPatches(static_cast<double>(next) * strokeLength);
-    if (trails) paintStroke(next), changed = true;
+    if (trails) paintStroke(next, vessels), changed = true;
   }
   paintPatches(t);
   nextStroke_ = std::max(next, last);
@@ -200,8 +206,8 @@ bool SceneDetail::advancePools(double t, EffectLedger* ledger) {
   return true;
 }
 
-void SceneDetail::advance(double t, EffectLedger* ledger) {
-  const bool painted = paint(t, ledger);
+void SceneDetail::advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
+  const bool painted = paint(t, vessels, ledger);
   const bool rippled = advancePools(t, ledger);
   if (painted || rippled || !detail_) detail_ = snapshot();
   if (ledger) report(t, ledger);

@@ -3,10 +3,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim_bridge/scene/scene.h"
-#include "sim_bridge/vessel/course.h"
+#include "sim_bridge/vessel/vessel.h"
 #include "surface/disturbance/layers/vessel_trail.h"
 #include "surface/disturbance/surface_detail.h"
 #include "surface/effects.h"
@@ -37,8 +38,10 @@ class SceneDetail {
   /// InputError for a file that cannot be read.
   SceneDetail(const Scene& scene, const Sea& sea);
 
-  /// Brings all to time `t`, later than before. Charges `ledger`.
-  void advance(double t, EffectLedger* ledger = nullptr);
+  /// Brings all to time `t`, later than before. Charges `ledger`. `vessels` are the scene's, moved
+  /// to `t` if free; without them free vessels leave trails on the course before the epoch alone.
+  void advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger = nullptr);
+  void advance(double t, EffectLedger* ledger = nullptr) { advance(t, {}, ledger); }
 
   /// As of the last `advance`; null where there is nothing.
   std::shared_ptr<const SurfaceDetail> detail() const { return detail_; }
@@ -49,8 +52,8 @@ class SceneDetail {
     std::function<void(SceneDetail&)> paint;
   };
   void addPatches();
-  bool paint(double t, EffectLedger* ledger);
-  void paintStroke(long long stroke);
+  bool paint(double t, std::span<const Vessel> vessels, EffectLedger* ledger);
+  void paintStroke(long long stroke, std::span<const Vessel> vessels);
   SurfaceLayer& layer(LayerKind kind);
   bool advancePools(double t, EffectLedger* ledger);
   void report(double t, EffectLedger* ledger) const;
@@ -61,6 +64,8 @@ class SceneDetail {
   struct Trail {
     TrailHull hull;
     Course course;
+    std::size_t vessel;  // by its place in the scene
+    bool free;
   };
   std::vector<Trail> trails_;   // of vessels under way
   std::vector<Patch> patches_;  // by time; those before nextPatch_ are painted

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "sim_bridge/scene/vessel_course.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/vessel/wake_footprint.h"
 #include "surface/constants.h"
 
@@ -50,6 +52,15 @@ WakeSystemSettings wakeSettings(const Scene& scene, const Sea& sea) {
   settings.window = scene.accuracy.wakes.window;
   return settings;
 }
+
+WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) {
+  const CoursePoint place = vessel.placeAt(t);
+  const double carried = vessel.submergedVolume() * seaWaterDensity / vessel.mass();
+  return {t, place.position, place.direction,
+          description.model.wake.strength * std::clamp(carried / lightestInFull, 0.0, 1.0)};
+}
+
+}  // namespace
 
 struct SceneWakes::Running {
   WakeSystem system;
@@ -128,8 +139,8 @@ void SceneWakes::record(double t, std::span<const Vessel> vessels) {
 std::vector<WakeListener> SceneWakes::listeners(double t, std::span<const Vessel> vessels) const {
   std::vector<WakeListener> all = audience_.places;
   for (std::size_t i = 0; i < vessels.size(); ++i) {
-    const glm::dvec2 place = vessels[i].course().at(t).position;
-    const double radius = 0.5 * vessels[i].hull().length;
+    const glm::dvec2 place = vessels[i].placeAt(t).position;
+    const double radius = 0.5 * scene_->vessels[i].model.hull.length;
     all.push_back({place, radius, ownHandle(i)});
     if (settingOf(*scene_) == EffectSetting::on) all.push_back({place, radius, 0});
   }
@@ -143,7 +154,7 @@ std::vector<WakeListener> SceneWakes::listeners(double t, std::span<const Vessel
     }
     for (std::size_t i = 0; i < vessels.size(); ++i) {
       if (scene_->vessels[i].name != camera.mount) continue;
-      all.push_back({vessels[i].course().at(t).position, cameraReach, 0});
+      all.push_back({vessels[i].placeAt(t).position, cameraReach, 0});
     }
   }
   return all;
@@ -167,11 +178,19 @@ void SceneWakes::advance(double t, std::span<const Vessel> vessels, EffectLedger
 
 bool wakesReach(const Scene& scene, const Sea& sea, double t,
                 std::span<const WakeListener> places) {
-  if (settingOf(scene) == EffectSetting::off || t < 0.0) return false;
+  if (t < 0.0) return false;
+  const bool wakes = settingOf(scene) != EffectSetting::off;
+  const bool trails = scene.effects[static_cast<std::size_t>(Effect::trail)] != EffectSetting::off;
   for (const SceneVessel& vessel : scene.vessels) {
-    if (!makesWaves(vessel, sea)) continue;
-    const glm::dvec2 at = courseOf(vessel, sea.geodesy).at(t).position;
-    const double reach = reachOf(wakeCascade(scene, vessel.model.hull));
+    const bool free = sailsFreely(scene, vessel);
+    const bool makesWakes = wakes && makesWaves(vessel, sea);
+    if (!makesWakes && !(free && trails)) continue;
+    const glm::dvec2 at = courseOf(vessel, sea.geodesy).at(free ? 0.0 : t).position;
+    double reach = reachOf(wakeCascade(scene, vessel.model.hull));
+    if (free) {
+      const glm::dvec2 current = sea.surface.waves().settings().current;
+      reach += t * (2.0 * std::abs(vessel.speed) + 3.0 + glm::length(current));
+    }
     for (const WakeListener& place : places) {
       const glm::dvec2 apart = glm::abs(place.position - at) - place.radius;
       if (std::max(apart.x, apart.y) < reach) return true;

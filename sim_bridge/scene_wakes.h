@@ -23,10 +23,11 @@ struct Audience {
 
 /// The wakes of a scene's vessels, and the water that they disturb.
 ///
-/// Vessels under way leave waves; all have sailed their courses before the scene's epoch too, so
-/// that their waves are whole from the start. A scene in which nobody is under way, or nobody else
-/// is there to feel or see it, holds nothing. A copy is a snapshot: it shares what it can until one
-/// of the two moves on.
+/// Vessels under way leave waves; all have sailed before the scene's epoch too, on their courses
+/// or, if free, straight on to their start, so that their waves are whole from the start. A free
+/// vessel counts as under way where its scene gives it a speed or the sea a current. A scene in
+/// which nobody is under way, or nobody else is there to feel or see it, holds nothing. A copy is a
+/// snapshot: it shares what it can until one of the two moves on.
 class SceneWakes {
  public:
   /// `scene` and `sea` must outlive this object and its copies.
@@ -40,7 +41,7 @@ class SceneWakes {
 
   void setAudience(Audience audience) { audience_ = std::move(audience); }
 
-  /// Notes where the vessels are at `t`, on their courses, and brings the wakes there.
+  /// Notes where the vessels are at `t` and brings the wakes there.
   void advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger);
 
   /// How long vessels feel what another has done, s; 0 where none makes waves for another.
@@ -70,7 +71,9 @@ std::vector<WakeLevel> wakeCascade(const Scene& scene, const BoxHull& hull);
 /// Whether a vessel of the scene moves through the water on its course and leaves waves there.
 bool makesWaves(const SceneVessel& vessel, const Sea& sea);
 
-/// Whether a vessel under way at `t` is so near to one of `places` that they may feel its waves.
+/// Whether a vessel under way at `t` is so near to one of `places` that they may feel its waves. A
+/// free one may be anywhere within twice its speed, 3 m/s and the current of its start, and its
+/// trail counts as its waves do.
 bool wakesReach(const Scene& scene, const Sea& sea, double t, std::span<const WakeListener> places);
 
 }  // namespace seaway::bridge

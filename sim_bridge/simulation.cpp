@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim_bridge/scene/vessel_course.h"
+#include "sim_bridge/grounding.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -17,10 +18,11 @@ constexpr double reached = 1e-6;
 // How much past a replay goes through, s, provided that motions die down to e⁻²⁰ in it.
 constexpr double rememberedPast = 600.0;
 
-Vessel makeVessel(const SceneVessel& vessel, const Sea& sea) {
-  Vessel made(vessel.model.hull, courseOf(vessel, sea.geodesy));
-  made.setCurrent(sea.surface.waves().settings().current);
-  return made;
+/// Free vessels move on in the wakes of one time no farther than this, s: wakes' own step.
+constexpr double longestFreeStep = 0.1;
+
+bool isOff(const Scene& scene, Effect effect) {
+  return scene.effects[static_cast<std::size_t>(effect)] == EffectSetting::off;
 }
 
 }  // namespace
@@ -32,6 +34,7 @@ Simulation Simulation::replayed(
     const Scene& scene, const Sea& sea, double t,
     const std::function<void(std::size_t done, std::size_t all)>& observe) {
   const bool forgets =
+      !anySailsFreely(scene) &&
       std::all_of(scene.vessels.begin(), scene.vessels.end(), [](const SceneVessel& vessel) {
         const BoxHull& hull = vessel.model.hull;
         return std::min({hull.heaveDamping * hull.heaveFrequency(),
@@ -62,36 +65,41 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
       time_(static_cast<double>(firstStep) * scene.run.step) {
   std::size_t count = 0;
   for (const SceneVessel& vessel : scene.vessels) {
-    vessels_.push_back(makeVessel(vessel, sea));
-    count += vessels_.back().sampleCount();
+    vessels_.push_back(launch(scene, vessel, sea));
+    const PrescribedVessel* prescribed = vessels_.back().prescribed();
+    prescribed ? count += prescribed->sampleCount() : ++freeCount_;
   }
   points_.resize(count);
   samples_.resize(count);
   wakes_.advance(time_, vessels_, ledger);
   sampleAt(time_, ledger);
-  forEachVessel([&](Vessel& vessel, const SceneVessel&, std::span<const SurfaceSample> water) {
-    if (scene.effects[static_cast<std::size_t>(Effect::vesselMotion)] == EffectSetting::off) {
-      vessel.advanceUpright(time_, water);
-    } else {
-      vessel.settle(time_, water);
-    }
-  });
+  forEachPrescribed(
+      [&](PrescribedVessel& vessel, std::size_t, std::span<const SurfaceSample> water) {
+        if (isOff(scene, Effect::vesselMotion)) {
+          vessel.advanceUpright(time_, water);
+        } else {
+          vessel.settle(time_, water);
+        }
+      });
+  for (std::size_t i = 0; i < vessels_.size(); ++i) {
+    if (FreeVessel* vessel = vessels_[i].free()) vessel->settle(surface(), wakes_.ownHandle(i));
+  }
 }
 
 template <class Action>
-void Simulation::forEachVessel(Action action) {
+void Simulation::forEachPrescribed(Action action) {
   std::size_t from = 0;
   for (std::size_t i = 0; i < vessels_.size(); ++i) {
-    const std::size_t count = vessels_[i].sampleCount();
-    action(vessels_[i], scene_->vessels[i],
-           std::span(samples_).subspan(from, count));
-    from += count;
+    PrescribedVessel* vessel = vessels_[i].prescribed();
+    if (!vessel) continue;
+    action(*vessel, i, std::span(samples_).subspan(from, vessel->sampleCount()));
+    from += vessel->sampleCount();
   }
 }
 
 // What lies on the water and ripples it goes over the sea.
 void Simulation::disturb(double t, EffectLedger* ledger) {
-  detail_.advance(t, ledger);
+  detail_.advance(t, vessels_, ledger);
   disturbed_ = nullptr;
   if (!detail_.detail()) return;
   auto disturbed = std::make_shared<WaterSurface>(wakes_.surface());
@@ -101,12 +109,11 @@ void Simulation::disturb(double t, EffectLedger* ledger) {
 
 void Simulation::sampleAt(double t, EffectLedger* ledger) {
   disturb(t, ledger);
-  if (vessels_.empty()) return;
-  std::size_t from = 0;
-  for (const Vessel& vessel : vessels_) {
-    vessel.samplePoints(t, std::span(points_).subspan(from, vessel.sampleCount()));
-    from += vessel.sampleCount();
-  }
+  if (points_.empty()) return;
+  forEachPrescribed([&](const PrescribedVessel& vessel, std::size_t, std::span<SurfaceSample> own) {
+    const auto from = static_cast<std::size_t>(own.data() - samples_.data());
+    vessel.samplePoints(t, std::span(points_).subspan(from, own.size()));
+  });
   const WaveField& waves = sea_->surface.waves();
   const bool anyWaves = waves.significantWaveHeight() > 0.0;
   const bool charged = ledger && ledger->decide(Effect::waves, anyWaves,
@@ -123,9 +130,9 @@ void Simulation::sampleSurface(double t) {
   const auto disturbances = wakes_.surface().disturbances();
   if (!disturbances) return surface().sample(points_, t, samples_, options);
   surface().sampleWithoutWakes(points_, t, samples_, options);
-  forEachVessel([&](const Vessel& vessel, const SceneVessel&, std::span<SurfaceSample> water) {
+  forEachPrescribed([&](const PrescribedVessel&, std::size_t i, std::span<SurfaceSample> water) {
     const auto first = static_cast<std::size_t>(water.data() - samples_.data());
-    options.excludeVessel = wakes_.ownHandle(static_cast<std::size_t>(&vessel - vessels_.data()));
+    options.excludeVessel = wakes_.ownHandle(i);
     disturbances->addTo(std::span(points_).subspan(first, water.size()), t, water, options);
   });
   if (const WaterOutline* outline = sea_->surface.outline()) outline->markDry(points_, samples_);
@@ -137,49 +144,92 @@ void Simulation::attend(Audience audience, EffectLedger* ledger) {
   disturb(time_, ledger);
 }
 
-void Simulation::requireAfloat(double t) const {
+void Simulation::requireAfloat(double t) {
   if (!sea_->surface.outline()) return;
-  std::size_t sample = 0;
-  for (std::size_t i = 0; i < vessels_.size(); ++i) {
-    for (std::size_t k = 0; k < vessels_[i].sampleCount(); ++k, ++sample) {
-      if (!has(samples_[sample].status, SampleStatus::dry)) continue;
-      throw InputError(scene_->file.string(), 0,
-                       "vessel '" + scene_->vessels[i].name + "' is aground at " +
-                           std::to_string(t) + " s: a part of it is outside the sea's outline");
-    }
-  }
+  forEachPrescribed(
+      [&](const PrescribedVessel&, std::size_t i, std::span<const SurfaceSample> water) {
+        const bool dry = std::any_of(water.begin(), water.end(), [](const SurfaceSample& sample) {
+          return has(sample.status, SampleStatus::dry);
+        });
+        if (dry) throw aground(*scene_, scene_->vessels[i].name, t);
+      });
 }
 
 double Simulation::nextTime() const { return static_cast<double>(steps_ + 1) * scene_->run.step; }
 
-void Simulation::advanceTo(double t, EffectLedger* ledger) {
-  wakes_.advance(t, vessels_, ledger);
-  sampleAt(t, ledger);
-  bool moves =
-      scene_->effects[static_cast<std::size_t>(Effect::vesselMotion)] != EffectSetting::off;
+void Simulation::requireSound(const Vessel& vessel, const SceneVessel& description,
+                              double t) const {
+  const VesselPose pose = vessel.pose();
+  if (!std::isfinite(pose.height + pose.roll + pose.pitch)) {
+    throw std::runtime_error("the motion of vessel '" + description.name + "' is not finite at " +
+                             std::to_string(t) + " s");
+  }
+  if (!sea_->geodesy.describe(pose.position).inRange) {
+    throw InputError("vessel '" + description.name + "' leaves the scene's range at " +
+                     std::to_string(t) + " s");
+  }
+}
+
+void Simulation::moveFree(double t, EffectLedger* ledger) {
+  const bool runs = ledger ? ledger->decide(Effect::hullLoads, freeCount_ > 0,
+                                            freeCount_ > 0 ? "a vessel's motion is free"
+                                                           : "no vessel's motion is free")
+                           : freeCount_ > 0;
+  if (!runs || freeCount_ == 0) return;
+  std::size_t bytes = 0;
+  EffectTimer timer(ledger, Effect::hullLoads);
+  for (std::size_t i = 0; i < vessels_.size(); ++i) {
+    FreeVessel* vessel = vessels_[i].free();
+    if (!vessel) continue;
+    vessel->advance(t, surface(), wakes_.ownHandle(i));
+    requireFreeToMove(*scene_, scene_->vessels[i].name, *vessel);
+    requireSound(vessels_[i], scene_->vessels[i], t);
+    bytes += vessel->memoryBytes();
+  }
+  if (ledger) ledger->holdMemory(Effect::hullLoads, bytes);
+}
+
+void Simulation::movePrescribed(double t, EffectLedger* ledger) {
+  const bool any = !points_.empty();
+  bool moves = !isOff(*scene_, Effect::vesselMotion);
   if (ledger) {
-    moves = ledger->decide(Effect::vesselMotion, !vessels_.empty(),
-                           vessels_.empty() ? "the scene has no vessel" : "the scene has vessels");
+    moves = ledger->decide(Effect::vesselMotion, any,
+                           any ? "the scene has vessels on prescribed courses"
+                               : "the scene has no vessel on a prescribed course");
     if (moves)
       ledger->holdMemory(Effect::vesselMotion, points_.size() * sizeof(glm::dvec2) +
                                                    samples_.size() * sizeof(SurfaceSample) +
-                                                   vessels_.size() * sizeof(Vessel));
+                                                   (vessels_.size() - freeCount_) * sizeof(Vessel));
   }
-  EffectTimer timer(moves ? ledger : nullptr, Effect::vesselMotion);
-  forEachVessel(
-      [&](Vessel& vessel, const SceneVessel& description, std::span<const SurfaceSample> water) {
+  EffectTimer timer(moves && any ? ledger : nullptr, Effect::vesselMotion);
+  forEachPrescribed(
+      [&](PrescribedVessel& vessel, std::size_t i, std::span<const SurfaceSample> water) {
         moves ? vessel.advance(t, water) : vessel.advanceUpright(t, water);
-        const VesselPose pose = vessel.pose();
-        if (!sea_->geodesy.describe(pose.position).inRange) {
-          throw InputError("vessel '" + description.name + "' leaves the scene's range at " +
-                           std::to_string(t) + " s");
-        }
-        if (!std::isfinite(pose.height + pose.roll + pose.pitch)) {
-          throw std::runtime_error("the motion of vessel '" + description.name +
-                                   "' is not finite at " + std::to_string(t) + " s");
-        }
+        requireSound(vessels_[i], scene_->vessels[i], t);
       });
+}
+
+void Simulation::moveTo(double t, EffectLedger* ledger) {
+  moveFree(t, ledger);
+  wakes_.advance(t, vessels_, ledger);
+  sampleAt(t, ledger);
+  movePrescribed(t, ledger);
+  if (freeCount_ > 0) {
+    for (std::size_t i = 0; i < vessels_.size(); ++i) {
+      if (FreeVessel* vessel = vessels_[i].free())
+        vessel->readWater(surface(), wakes_.ownHandle(i));
+    }
+  }
   time_ = t;
+}
+
+void Simulation::advanceTo(double t, EffectLedger* ledger) {
+  if (freeCount_ > 0) {
+    const double from = time_, span = t - from;
+    const int parts = static_cast<int>(std::ceil(span / longestFreeStep - reached));
+    for (int i = 1; i < parts; ++i) moveTo(from + span * i / parts, ledger);
+  }
+  moveTo(t, ledger);
 }
 
 void Simulation::step(EffectLedger* ledger) {

@@ -17,7 +17,8 @@ namespace seaway::bridge {
 
 /// The vessels of a scene in motion, from the scene's epoch on in equal steps.
 ///
-/// Vessels rock in each other's wakes, and not in their own (SceneWakes).
+/// Vessels rock in each other's wakes, and not in their own (SceneWakes). Free ones move first, in
+/// the water and the wakes as of the step's begin, so that their wakes of its end are known.
 ///
 /// A copy is a snapshot: it can be moved on without touching the original. Times are multiples of
 /// the step, never sums, so that a replay gives the same bits.
@@ -28,8 +29,9 @@ class Simulation {
   Simulation(const Scene& scene, const Sea& sea, EffectLedger* ledger = nullptr);
 
   /// At time `t` ≥ 0, replayed from the start; from 600 s before `t`, and as long again as wakes
-  /// last, where that is later and all vessels are damped, for by then they have forgotten their
-  /// start. On the way wakes run where vessels feel them; for an audience they are rebuilt at `t`
+  /// last, where that is later, none is free and all are damped, for by then they have forgotten
+  /// their start. On the way wakes run where vessels feel them; for an audience they are rebuilt at
+  /// `t`
   /// (`attend`), within 1 % of their height of those that have run all along.
   /// `observe` hears of every step: how many are done, and of how many.
   static Simulation replayed(
@@ -43,8 +45,8 @@ class Simulation {
   double nextTime() const;  ///< after one more step, s
 
   /// One step. The water is sampled in one batch for all vessels. Throws InputError where a course
-  /// leaves the geodesy's range or the sea's outline, std::runtime_error where a motion stops being
-  /// finite.
+  /// leaves the geodesy's range or the sea's outline, or a free hull touches the bed;
+  /// std::runtime_error where a motion stops being finite.
   void step(EffectLedger* ledger = nullptr);
 
   /// Steps as long as the next whole step does not pass `t`.
@@ -63,13 +65,18 @@ class Simulation {
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
+  void moveFree(double t, EffectLedger* ledger);
+  void movePrescribed(double t, EffectLedger* ledger);
+  void moveTo(double t, EffectLedger* ledger);
+  void requireSound(const Vessel& vessel, const SceneVessel& description, double t) const;
   void sampleAt(double t, EffectLedger* ledger);
   void disturb(double t, EffectLedger* ledger);
   void sampleSurface(double t);
-  void requireAfloat(double t) const;
+  void requireAfloat(double t);
   void advanceTo(double t, EffectLedger* ledger);
+  /// action(vessel, index, its samples)
   template <class Action>
-  void forEachVessel(Action action);
+  void forEachPrescribed(Action action);
 
   const Scene* scene_;
   const Sea* sea_;
@@ -77,7 +84,8 @@ class Simulation {
   SceneWakes wakes_;
   SceneDetail detail_;
   std::shared_ptr<const WaterSurface> disturbed_;  // null: nothing but waves, wakes and events
-  std::vector<glm::dvec2> points_;
+  std::size_t freeCount_ = 0;
+  std::vector<glm::dvec2> points_;  // of prescribed vessels, as are samples_
   std::vector<SurfaceSample> samples_;
   long long steps_ = 0;
   double time_ = 0.0;

@@ -10,7 +10,11 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
     {Effect::waves, "waves", "the wave field, for queries and pictures",
      "the sea state has a significant wave height above zero"},
     {Effect::vesselMotion, "vessel_motion", "heave, roll and pitch of vessels from sampled columns",
-     "the scene has a vessel"},
+     "the scene has a vessel on a prescribed course"},
+    {Effect::hullLoads, "hull_loads",
+     "pressure, drag and damping on the meshes of free vessels, which move by them; off: they keep "
+     "their courses",
+     "the scene has a vessel whose motion is free"},
     {Effect::water, "water", "the sea surface in the picture, on a projected grid",
      "the volume the waves can reach meets the camera's view"},
     {Effect::sky, "sky", "procedural sky behind the scene and in reflections",
@@ -49,8 +53,9 @@ double nowMicroseconds() {
 std::span<const EffectDescription> effectDescriptions() { return descriptions; }
 
 std::optional<Effect> effectFromName(std::string_view name) {
-  const auto found = std::find_if(descriptions.begin(), descriptions.end(),
-                                  [&](const auto& description) { return description.name == name; });
+  const auto found =
+      std::find_if(descriptions.begin(), descriptions.end(),
+                   [&](const auto& description) { return description.name == name; });
   if (found == descriptions.end()) return std::nullopt;
   return found->effect;
 }

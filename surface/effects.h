@@ -18,6 +18,7 @@ namespace seaway {
 enum class Effect : std::size_t {
   waves,
   vesselMotion,
+  hullLoads,
   water,
   sky,
   sun,

@@ -39,6 +39,7 @@ const char* unitOf(Effect effect) {
   switch (effect) {
     case Effect::waves:
     case Effect::vesselMotion:
+    case Effect::hullLoads:
     case Effect::wake:
     case Effect::trail:
     case Effect::oil:
@@ -108,8 +109,7 @@ void drawAll(const Scene& scene, const Simulation& simulation, const std::string
              EffectLedger& ledger) {
   if (scene.cameras.empty()) return;
   requireMemoryForPicture(scene.run.size);
-  const auto technique =
-      render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
+  const auto technique = render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
   SceneView view(scene);
   Progress progress("frames", 2 * scene.cameras.size());
   std::size_t drawn = 0;

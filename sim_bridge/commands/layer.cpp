@@ -12,7 +12,9 @@
 #include "sim_bridge/output/unfinished_files.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/scene_detail.h"
+#include "sim_bridge/scene_view.h"
 #include "surface/disturbance/layers/layer_file.h"
 #include "surface/input_error.h"
 
@@ -72,6 +74,16 @@ std::vector<LayerGrid> gridsOf(const SurfaceDetail* detail) {
   return grids;
 }
 
+/// Where a vessel is free, only its motion tells where its trail lies.
+std::shared_ptr<const SurfaceDetail> detailAt(const Scene& scene, const Sea& sea, double t) {
+  if (anySailsFreely(scene)) {
+    return replayWithProgress(scene, sea, t).surface().extras().detail;
+  }
+  SceneDetail detail(scene, sea);
+  detail.advance(t);
+  return detail.detail();
+}
+
 }  // namespace
 
 int runLayer(const LayerOptions& options, std::ostream& out) {
@@ -91,9 +103,8 @@ int runLayer(const LayerOptions& options, std::ostream& out) {
   const double time = requireTime(options.time);
   requireWritableFile(options.out);
   const Sea sea = buildSea(scene);
-  SceneDetail detail(scene, sea);
-  detail.advance(time);
-  const std::vector<LayerGrid> grids = gridsOf(detail.detail().get());
+  const std::shared_ptr<const SurfaceDetail> detail = detailAt(scene, sea, time);
+  const std::vector<LayerGrid> grids = gridsOf(detail.get());
   if (grids.empty()) {
     throw InputError(input.string(), 0,
                      "nothing lies on the water at " + std::to_string(time) +

@@ -10,13 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "sim_bridge/commands/options.h"
-#include "sim_bridge/dynamics/hull_vessel.h"
+#include "sim_bridge/grounding.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
 
@@ -34,62 +35,21 @@ const SceneVessel& vesselOf(const Scene& scene, const std::string& name) {
   throw InputError("--vessel: '" + name + "' is not in the scene; must be one of: " + all);
 }
 
-HullVessel launched(const Scene& scene, const SceneVessel& description, const Sea& sea) {
-  const VesselModel& model = description.model;
-  const bool driven = model.propeller.diameter > 0.0 && model.rudder.area > 0.0;
-  if (!description.waypoints.empty() && !driven) {
-    throw InputError(scene.file.string(), 0,
-                     "vessel '" + description.name +
-                         "' has waypoints, but its model has no propeller and rudder");
-  }
-  HullVessel vessel(hullModelOf(model.mesh, model.hull),
-                    {.propeller = model.propeller, .rudder = model.rudder, .loads = {}});
-  const VesselStart& start = description.start;
-  const auto place = sea.geodesy.seaPlaneFromGeodetic(start.latitude_deg, start.longitude_deg);
-  vessel.place(place.position,
-               sea.geodesy.directionFromTrueHeading(place.position, start.heading_deg),
-               description.speed);
-  AutopilotSettings pilot{
-      .waypoints = {}, .speed = description.speed, .shipLength = vessel.hull().length()};
-  for (const Place& waypoint : description.waypoints) {
-    pilot.waypoints.push_back(
-        sea.geodesy.seaPlaneFromGeodetic(waypoint.latitude_deg, waypoint.longitude_deg).position);
-  }
-  if (driven) vessel.setAutopilot(pilot);
-  return vessel;
-}
-
-/// Heading, pitch and roll as telemetry has them.
-struct Attitude {
-  double direction, pitch, roll;  // rad
-};
-
-Attitude attitudeOf(const glm::dquat& worldFromBody) {
-  const glm::dvec3 forward = worldFromBody * glm::dvec3(1.0, 0.0, 0.0);
-  const glm::dvec3 port = worldFromBody * glm::dvec3(0.0, 1.0, 0.0);
-  const glm::dvec3 up = worldFromBody * glm::dvec3(0.0, 0.0, 1.0);
-  return {std::atan2(forward.y, forward.x), std::asin(std::clamp(forward.z, -1.0, 1.0)),
-          std::atan2(port.z, up.z)};
-}
-
-void writeRow(const HullVessel& vessel, const Sea& sea, std::ostream& out) {
-  const HullPose pose = vessel.pose();
-  const glm::dvec2 at(pose.position);
-  const GeodeticPosition place = sea.geodesy.geodeticFromSeaPlane(at);
-  const Attitude attitude = attitudeOf(pose.worldFromBody);
-  const glm::dvec3 ahead(std::cos(attitude.direction), std::sin(attitude.direction), 0.0);
+void writeRow(const FreeVessel& vessel, const Sea& sea, std::ostream& out) {
+  const VesselPose pose = vessel.pose();
+  const GeodeticPosition place = sea.geodesy.geodeticFromSeaPlane(pose.position);
   const double values[] = {vessel.time(),
                            place.latitude_deg,
                            place.longitude_deg,
-                           pose.position.z,
-                           degreesFromRadians(attitude.roll),
-                           degreesFromRadians(attitude.pitch),
-                           sea.geodesy.trueHeadingFromDirection(at, attitude.direction),
-                           glm::dot(pose.velocity, ahead),
-                           sea.surface.sample(at, vessel.time(), {.derivatives = false}).height,
-                           vessel.lastLoads().submergedVolume,
-                           degreesFromRadians(vessel.rudderAngle()),
-                           vessel.helm().revolutions};
+                           pose.height,
+                           degreesFromRadians(pose.roll),
+                           degreesFromRadians(pose.pitch),
+                           sea.geodesy.trueHeadingFromDirection(pose.position, pose.direction),
+                           vessel.speed(),
+                           vessel.waterHeight(),
+                           vessel.submergedVolume(),
+                           degreesFromRadians(vessel.body().rudderAngle()),
+                           vessel.body().helm().revolutions};
   const char* separator = "";
   for (const double value : values) {
     out << separator << numberText(value);
@@ -104,30 +64,32 @@ struct Voyage {
   double wallMs = 0.0, mostRoll = 0.0, mostPitch = 0.0, mostCrossTrack = 0.0;
 };
 
-Voyage sail(HullVessel& vessel, const Sea& sea, const Scene& scene, double duration,
-            std::ostream& telemetry) {
+Voyage sail(FreeVessel& vessel, const std::string& name, const Sea& sea, const Scene& scene,
+            double duration, std::ostream& telemetry) {
   Voyage voyage;
   const auto steps = static_cast<long long>(std::floor(duration / scene.run.step + 1e-6));
   Progress progress("steps", static_cast<std::size_t>(steps));
   const Stopwatch watch;
   for (; voyage.steps < steps; ++voyage.steps) {
-    vessel.advance(static_cast<double>(voyage.steps + 1) * scene.run.step, sea.surface);
-    const HullPose pose = vessel.pose();
-    const Attitude attitude = attitudeOf(pose.worldFromBody);
-    if (!std::isfinite(pose.position.z + attitude.roll)) {
+    vessel.advance(static_cast<double>(voyage.steps + 1) * scene.run.step, sea.surface, 0);
+    vessel.readWater(sea.surface, 0);
+    requireFreeToMove(scene, name, vessel);
+    const VesselPose pose = vessel.pose();
+    if (!std::isfinite(pose.height + pose.roll)) {
       throw std::runtime_error("the vessel's motion is not finite at " +
                                std::to_string(vessel.time()) + " s");
     }
-    if (!sea.geodesy.describe(glm::dvec2(pose.position)).inRange) {
+    if (!sea.geodesy.describe(pose.position).inRange) {
       throw InputError("the vessel leaves the scene's range at " + std::to_string(vessel.time()) +
                        " s");
     }
-    voyage.mostRoll = std::max(voyage.mostRoll, std::abs(attitude.roll));
-    voyage.mostPitch = std::max(voyage.mostPitch, std::abs(attitude.pitch));
-    if (vessel.autopilot()) {
+    voyage.mostRoll = std::max(voyage.mostRoll, std::abs(pose.roll));
+    voyage.mostPitch = std::max(voyage.mostPitch, std::abs(pose.pitch));
+    const auto& pilot = vessel.body().autopilot();
+    if (pilot) {
       voyage.mostCrossTrack =
           std::max(voyage.mostCrossTrack,
-                   std::abs(vessel.autopilot()->crossTrack(glm::dvec2(pose.position))));
+                   std::abs(pilot->crossTrack(glm::dvec2(vessel.body().pose().position))));
     }
     writeRow(vessel, sea, telemetry);
     progress.update(static_cast<std::size_t>(voyage.steps + 1));
@@ -169,11 +131,13 @@ int runSail(const SailOptions& options, std::ostream& out) {
       options.out.empty() ? "out/" + scene.file.stem().string() + "_sail" : options.out;
   requireWritableFolder(folder);
   const Sea sea = buildSea(scene);
-  HullVessel vessel = launched(scene, description, sea);
+  FreeVessel voyager = launchFree(scene, description, sea);
+  voyager.settle(sea.surface, 0);
+  const HullVessel& vessel = voyager.body();
   AtomicFile csv(folder / "voyage.csv"), summary(folder / "voyage.json");
   csv.stream() << "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,"
                   "speed_m_s,water_height_m,submerged_volume_m3,rudder_deg,revolutions_s\n";
-  const Voyage voyage = sail(vessel, sea, scene, duration, csv.stream());
+  const Voyage voyage = sail(voyager, description.name, sea, scene, duration, csv.stream());
   const auto json = asJson(voyage, vessel, description.name, scene.run.step);
   summary.stream() << json.dump(2) << '\n';
   csv.commit();

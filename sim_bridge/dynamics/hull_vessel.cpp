@@ -88,9 +88,19 @@ void HullVessel::steer(double dt, const glm::dvec3& speed) {
   rudder_ += std::clamp(helm_.rudder - rudder_, -most, most);
 }
 
+double HullVessel::immersionOf(const Propeller& screw, const glm::dvec3& place,
+                               const WaterSurface& water) const {
+  if (!(screw.diameter > 0.0)) return 0.0;
+  const SampleOptions options{.derivatives = false, .excludeVessel = settings_.loads.ownWake};
+  const double surface = water.sample(glm::dvec2(place), time_, options).height;
+  return std::isnan(surface) ? 1.0  // ashore: loads tell
+                             : std::clamp(0.5 + (surface - place.z) / screw.diameter, 0.0, 1.0);
+}
+
 void HullVessel::subStep(double dt, const WaterSurface& water) {
   const HullSettings& hull = hull_->settings();
   loads_ = loads(*hull_, pose(), water, time_, scratch_, settings_.loads);
+  status_ |= loads_.status;
   const glm::dmat3 worldFromBody = glm::mat3_cast(motion_.worldFromBody);
   const glm::dmat3 bodyFromWorld = glm::transpose(worldFromBody);
   const glm::dvec3 current(water.waves().settings().current, 0.0);
@@ -105,10 +115,7 @@ void HullVessel::subStep(double dt, const WaterSurface& water) {
   if (settings_.propeller.diameter > 0.0 || settings_.rudder.area > 0.0) {
     const Propeller& screw = settings_.propeller;
     const glm::dvec3 place = pose().position + worldFromBody * screw.position;
-    const double surface = water.sample(glm::dvec2(place), time_, {.derivatives = false}).height;
-    const double immersion = screw.diameter > 0.0
-                                 ? std::clamp(0.5 + (surface - place.z) / screw.diameter, 0.0, 1.0)
-                                 : 0.0;
+    const double immersion = immersionOf(screw, place, water);
     const glm::dvec3 atOrigin = u - glm::cross(w, hull.centreOfGravity);
     const Load thrust = propellerLoad(screw, helm_.revolutions, atOrigin, immersion);
     const Load steering = rudderLoad(settings_.rudder, rudder_, atOrigin, w, screw, thrust.force.x);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -58,18 +60,29 @@ class HullVessel {
   void setAutopilot(const AutopilotSettings& settings);
   const std::optional<Autopilot>& autopilot() const { return autopilot_; }
 
+  /// As LoadOptions::ownWake, from now on.
+  void setOwnWake(std::uint32_t handle) { settings_.loads.ownWake = handle; }
+
   /// Moves from time() to `t` ≥ it.
   void advance(double t, const WaterSurface& water);
 
   const HullLoads& lastLoads() const { return loads_; }
+  /// All that loads have told since the last clearStatus.
+  SampleStatus status() const { return status_; }
+  void clearStatus() { status_ = SampleStatus::ok; }
   /// ½ v·(m v) + ½ ω·(I ω) + m g z, J; added mass not counted.
   double energy() const;
   /// Sub-steps that `advance` makes of an interval of `dt` s.
   int subSteps(double dt) const;
+  /// Bytes it holds; the hull, which others may share, included.
+  std::size_t memoryBytes() const { return hull_->memoryBytes() + scratch_.memoryBytes(); }
 
  private:
   void subStep(double dt, const WaterSurface& water);
   void steer(double dt, const glm::dvec3& speed);
+  /// Part of the screw's disc, its middle at `place`, that is under water.
+  double immersionOf(const Propeller& screw, const glm::dvec3& place,
+                     const WaterSurface& water) const;
   glm::dvec3 inertia() const;
 
   std::shared_ptr<const HullModel> hull_;
@@ -80,6 +93,7 @@ class HullVessel {
   std::optional<Autopilot> autopilot_;
   HullLoads loads_;
   LoadScratch scratch_;
+  SampleStatus status_ = SampleStatus::ok;
 };
 
 }  // namespace seaway::bridge

@@ -1,5 +1,6 @@
 #include "sim_bridge/mujoco/hull_coupling.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 #include <mutex>
@@ -7,6 +8,7 @@
 #include <shared_mutex>
 #include <stdexcept>
 
+#include "sim_bridge/mujoco/added_inertia.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -25,6 +27,7 @@ Registry& registry() {
 
 /// What one thread works with; grows at first use.
 struct Workspace {
+  AddedInertia inertia;
   std::optional<SurfaceAtTime> water;
   std::vector<PlacedHull> hulls;
   std::vector<HullLoads> loads;
@@ -77,6 +80,8 @@ void HullCoupling::add(const std::string& body, std::shared_ptr<const HullModel>
     }
     throw InputError("the MuJoCo model has no body '" + body + "'; must be one of: " + all);
   }
+  const auto& added = hull->addedMass();
+  addsInertia_ |= std::any_of(added.begin(), added.end(), [](double part) { return part > 0.0; });
   hulls_.push_back({id, std::move(hull), options, origin});
 }
 
@@ -113,13 +118,20 @@ void HullCoupling::apply(const mjModel* model, mjData* data) {
     loadsInParallel(work.hulls, *work.water, work.loads,
                     std::span(work.scratch).first(hulls_.size()));
   }
+  const glm::dvec2 current = water_->waves().settings().current;
+  if (addsInertia_) work.inertia.begin(model, data);
   for (std::size_t i = 0; i < hulls_.size(); ++i) {
     const Load total = work.loads[i].total();
     const glm::dvec3 at = work.hulls[i].pose.position;
     mj_applyFT(model, data, &total.force.x, &total.moment.x, &at.x, hulls_[i].body,
                data->qfrc_passive);
+    if (addsInertia_) {
+      work.inertia.add(model, data, hulls_[i].body, *hulls_[i].model, work.hulls[i].pose,
+                       work.loads[i], current);
+    }
     status_.fetch_or(static_cast<std::uint32_t>(work.loads[i].status), std::memory_order_relaxed);
   }
+  if (addsInertia_) mj_factorM(model, data);
 }
 
 }  // namespace seaway::bridge

@@ -19,8 +19,9 @@ namespace seaway::bridge {
 /// MuJoCo's world is the sea plane: x east, y north, z up, m, z = 0 the still-water level; a body's
 /// frame is its hull's. Loads are taken at mjData::time, so every sub-stage of the RK4 integrator
 /// sees the sea of its own instant. They depend on the state alone: mj_forward, mj_step and finite
-/// differences of MuJoCo agree. Added mass is not passed on (a passive force cannot depend on
-/// acceleration); put it in the body's inertia where it matters.
+/// differences of MuJoCo agree. Added mass goes into MuJoCo's matrix of inertia (AddedInertia), so
+/// that accelerations are solved for with it, at any size: constraint solvers Newton and CG see it
+/// too, PGS takes the bodies' own.
 ///
 /// Set the model's gravity to −9.80665 (standardGravity): with MuJoCo's own 9.81 hulls float
 /// 0.03 % deeper. Several mjData of one model may step at once, each on its own thread.
@@ -62,6 +63,7 @@ class HullCoupling {
   const mjModel* model_;
   const WaterSurface* water_;
   std::vector<Hull> hulls_;
+  bool addsInertia_ = false;  // a hull has added mass
   std::atomic<std::uint32_t> status_{0};
 };
 

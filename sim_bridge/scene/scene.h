@@ -28,7 +28,7 @@ struct CalmState {};
 
 /// Which spectrum a parametric sea state has, by its key in the scene.
 enum class SpectralFamily {
-  jonswap,              ///< and Pierson–Moskowitz by H_m0 and T_p: γ = 1
+  jonswap,  ///< and Pierson–Moskowitz by H_m0 and T_p: γ = 1
   piersonMoskowitzOfWind,
   tma,
   ochiHubble,
@@ -46,11 +46,11 @@ enum class Spreading {
 /// A sea state by the parameters of a spectrum. Which of them count depends on the family.
 struct ParametricState {
   SpectralFamily family = SpectralFamily::jonswap;
-  double significantWaveHeight = 0.0;  ///< H_m0, m
-  double peakPeriod = 0.0;             ///< T_p, s
-  double peakEnhancement = 3.3;        ///< γ
-  double windSpeed = 0.0;              ///< m/s at 19.5 m, of a Pierson–Moskowitz sea
-  double width = 0.01;                 ///< of a swell's bell, Hz
+  double significantWaveHeight = 0.0;            ///< H_m0, m
+  double peakPeriod = 0.0;                       ///< T_p, s
+  double peakEnhancement = 3.3;                  ///< γ
+  double windSpeed = 0.0;                        ///< m/s at 19.5 m, of a Pierson–Moskowitz sea
+  double width = 0.01;                           ///< of a swell's bell, Hz
   std::optional<OchiHubblePart> swell, windSea;  ///< of an Ochi–Hubble sea; else the most probable
   int code = 0;                                  ///< of the WMO's sea states
   double from_deg = 0.0;
@@ -81,8 +81,8 @@ struct SeaSettings {
   std::int64_t seed = 1;
   OctaveKind model = OctaveKind::group;  ///< of parametric states
   SeaState state;
-  int stateLine = 0;  ///< where `sea.state` stands in the file
-  std::string outlinePath;  ///< as in the scene; empty: water everywhere
+  int stateLine = 0;                            ///< where `sea.state` stands in the file
+  std::string outlinePath;                      ///< as in the scene; empty: water everywhere
   std::shared_ptr<const WaterOutline> outline;  ///< read by the loader
 };
 
@@ -92,6 +92,12 @@ struct VesselStart {
   double heading_deg = 0.0;  ///< true
 };
 
+/// What moves a vessel.
+enum class VesselMotion {
+  prescribed,  ///< the course that start, speed and turn give; it heaves, rolls and pitches
+  free,        ///< loads on its mesh, its own propeller and rudder
+};
+
 struct SceneVessel {
   std::string name;
   std::string modelPath;  ///< as in the scene
@@ -99,7 +105,9 @@ struct SceneVessel {
   VesselStart start;
   double speed = 0.0;     ///< over ground, m/s
   double turn_deg = 0.0;  ///< compass degrees per second, positive to starboard
-  std::vector<Place> waypoints;  ///< of `seaway sail`
+  VesselMotion motion = VesselMotion::prescribed;
+  std::vector<Place> waypoints;           ///< of a free vessel, and of `seaway sail`
+  std::shared_ptr<const HullModel> mesh;  ///< of a free vessel; made by the loader
 };
 
 /// Where a fixed camera stands.
@@ -127,7 +135,8 @@ struct Sun {
 };
 
 struct Wind {
-  double speed = 7.0;  ///< m/s at 12.5 m
+  double speed = 7.0;              ///< m/s at 12.5 m
+  std::optional<double> from_deg;  ///< else it pushes no hull
 };
 
 struct LightSettings {

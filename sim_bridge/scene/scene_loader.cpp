@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_bridge/scene/outline_file.h"
+#include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/scene_detail.h"
 #include "surface/geodesy.h"
 #include "surface/input_error.h"
@@ -72,6 +73,24 @@ void resolveSeaState(Scene& scene, const YamlValue& document) {
   }
 }
 
+/// What free motion and drawings need of a vessel's mesh, checked here so that a fault in it names
+/// the scene's line.
+void resolveMesh(SceneVessel& vessel, const YamlValue& value) {
+  const bool free = vessel.motion == VesselMotion::free;
+  const YamlValue* turn = value.find("turn_deg_s");
+  if (free && turn) {
+    turn->fail("is for prescribed motion only: a free vessel is steered along waypoints");
+  }
+  const char* unsteered = free ? whyUnsteered(vessel) : nullptr;
+  if (unsteered) value.find("waypoints")->fail(unsteered);
+  if (!free && vessel.model.drawing.shape != VesselShape::mesh) return;
+  try {
+    vessel.mesh = hullModelOf(vessel.model.mesh, vessel.model.hull);
+  } catch (const InputError& fault) {
+    childOf(value, "model").fail(fault.what());
+  }
+}
+
 void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
   const YamlValue* list = document.find("vessels");
   requireUniqueNames(list, scene.vessels);
@@ -86,6 +105,7 @@ void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geod
                              waypoint.longitude_deg);
     }
     vessel.model = loadVesselModel(referredFile(*value.find("model"), scene.file));
+    resolveMesh(vessel, value);
   }
 }
 
@@ -142,8 +162,8 @@ void checkEvents(const Scene& scene, const YamlValue& document, const Geodesy& g
   }
   const auto limit = [&](const char* list, std::size_t count, std::size_t most) {
     if (count <= most) return;
-    document.find(list)->fail("has " + std::to_string(count) + " entries; " +
-                              std::to_string(most) + " at the most");
+    document.find(list)->fail("has " + std::to_string(count) + " entries; " + std::to_string(most) +
+                              " at the most");
   };
   limit("splashes", scene.splashes.size(), SurfaceEvents::mostSplashes);
   limit("ripples", scene.ripples.size(), 16);

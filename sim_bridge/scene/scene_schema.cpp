@@ -53,11 +53,18 @@ Mapping<SceneVessel> vesselSchema() {
       text("model", &V::modelPath, "vessel file, relative to the scene", Need::required),
       mapping("start", &V::start, start, "where it is at time 0", Need::required),
       number("speed_m_s", &V::speed, "m/s", Range::within(-60.0, 60.0),
-             "speed over ground, negative astern"),
+             "speed over ground, negative astern; of a free vessel through the water, which its "
+             "propeller keeps and its start has"),
+      choice("motion", &V::motion,
+             {{"prescribed", VesselMotion::prescribed}, {"free", VesselMotion::free}},
+             "prescribed: sails the course that start, speed and turn give, heaves, rolls and "
+             "pitches on the box of its model; free: moves in six degrees by the loads on its "
+             "model's mesh, propeller and rudder along its waypoints, from time 0 on, straight "
+             "on its start's heading before"),
       number("turn_deg_s", &V::turn_deg, "°/s", Range::within(-90.0, 90.0),
              "rate of turn, positive to starboard"),
       list("waypoints", &V::waypoints, placeSchema(),
-           "where `seaway sail` steers under the vessel's own power; other commands keep the course"),
+           "where a free vessel, and any under `seaway sail`, steers by its rudder"),
   });
 }
 
@@ -98,10 +105,13 @@ Mapping<LightSettings> lightSchema() {
   const Mapping<Wind> wind({
       number("speed_m_s", &Wind::speed, "m/s", Range::within(0.0, 80.0),
              "at 12.5 m: roughness below the shortest waves of the field"),
+      number("from_deg", &Wind::from_deg, "°", compass,
+             "compass direction it blows from: pushes free hulls; without it none is pushed"),
   });
   return Mapping<LightSettings>({
       mapping("sun", &LightSettings::sun, sun, "the sun"),
-      mapping("wind", &LightSettings::wind, wind, "the wind, as the picture shows it"),
+      mapping("wind", &LightSettings::wind, wind,
+              "the wind, as pictures show it and free hulls feel it"),
   });
 }
 
@@ -151,8 +161,7 @@ Mapping<Accuracy> accuracySchema() {
              "height that vessels' samples of the sea may leave out, one standard deviation"),
       vector("grid", &Accuracy::grid, "", Range::within(2, 4096),
              "vertices of the projected grid, across and along"),
-      mapping("layers", &Accuracy::layers, layerAccuracySchema(),
-              "foam, smoothed water and oil"),
+      mapping("layers", &Accuracy::layers, layerAccuracySchema(), "foam, smoothed water and oil"),
       mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
   });
 }

@@ -8,15 +8,19 @@ namespace seaway::bridge {
 namespace {
 
 TriangleMesh meshOf(const VesselHullMesh& m, const BoxHull& box) {
-  const auto triangles = static_cast<std::size_t>(m.triangles);
-  if (m.source.empty()) return boxMesh(box.length, box.beam, box.depth, box.draft(), triangles);
-  const bool shape = m.source.find(':') != std::string::npos;
-  const std::string source = shape ? m.source : (m.folder / m.source).string();
-  const HullFileSettings settings{m.metresPerUnit, m.forward, m.up};
-  return moved(hullByName(source, settings, triangles), -m.origin);
+  if (!m.source.empty()) return hullMeshOf(m);
+  return boxMesh(box.length, box.beam, box.depth, box.draft(),
+                 static_cast<std::size_t>(m.triangles));
 }
 
 }  // namespace
+
+TriangleMesh hullMeshOf(const VesselHullMesh& m) {
+  const bool shape = m.source.find(':') != std::string::npos;
+  const std::string source = shape ? m.source : (m.folder / m.source).string();
+  const HullFileSettings settings{m.metresPerUnit, m.forward, m.up};
+  return moved(hullByName(source, settings, static_cast<std::size_t>(m.triangles)), -m.origin);
+}
 
 std::shared_ptr<const HullModel> hullModelOf(const VesselHullMesh& m, const BoxHull& box) {
   const TriangleMesh mesh = meshOf(m, box);
@@ -26,6 +30,7 @@ std::shared_ptr<const HullModel> hullModelOf(const VesselHullMesh& m, const BoxH
   settings.gyradii = {box.rollGyradius(), box.pitchGyradius(), box.pitchGyradius()};
   settings.columns = box.columns;
   settings.knownVolume = m.knownVolume;
+  settings.knownWaterplane = m.knownWaterplane;
   HullCoefficients& c = settings.coefficients;
   c.formDrag = m.formDrag;
   c.skinFriction = m.skinFriction;
@@ -68,6 +73,8 @@ Mapping<VesselHullMesh> hullMeshSchema() {
              "vertical columns; wet triangles; the waves' own pressure on them too"),
       number("displacement_m3", &M::knownVolume, "m³", Range::above(0.0),
              "known displacement below the body's z = 0, which the mesh is calibrated to"),
+      number("waterplane_m2", &M::knownWaterplane, "m²", Range::above(0.0),
+             "known area of the waterplane there; needs displacement_m3"),
       number("form_drag", &M::formDrag, "1", Range::atLeast(0.0),
              "C of the pressure ½ρC u|u| on panels; a plate across the flow has 2C"),
       number("skin_friction", &M::skinFriction, "1", Range::atLeast(0.0),

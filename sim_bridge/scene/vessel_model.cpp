@@ -45,8 +45,13 @@ Mapping<VesselDrawing> drawingSchema() {
       choice("shape", &VesselDrawing::shape,
              {{"launch", VesselShape::launch},
               {"open_launch", VesselShape::openLaunch},
-              {"buoy", VesselShape::buoy}},
-             "what is drawn, stretched to the hull's dimensions; open_launch has a cockpit aft"),
+              {"buoy", VesselShape::buoy},
+              {"mesh", VesselShape::mesh}},
+             "what is drawn, stretched to the hull's dimensions; open_launch has a cockpit aft; "
+             "mesh: as `source` has it, the sea kept out of its hollows"),
+      text(
+          "source", &VesselDrawing::source,
+          "of shape mesh: as `source` of `mesh`, with its unit, axes and origin; else that itself"),
       vector("hull_colour", &VesselDrawing::hullColour, "", reflectance,
              "linear reflectance: red, green, blue"),
       vector("deck_colour", &VesselDrawing::deckColour, "", reflectance,
@@ -60,7 +65,9 @@ Mapping<VesselWake> wakeSchema() {
   return Mapping<VesselWake>({
       choice("form", &VesselWake::form,
              {{"drawn", WakeForm::drawn}, {"box", WakeForm::box}, {"wigley", WakeForm::wigley}},
-             "hull that makes the waves: as drawn below the water, the box, or Wigley's parabolic "
+             "hull that makes the waves: as drawn below the water (of shape mesh: the mesh that "
+             "loads are "
+             "taken on), the box, or Wigley's parabolic "
              "hull of the same length, beam and draft"),
       number("strength", &VesselWake::strength, "1", Range::within(0.0, 2.0),
              "part of the waves that linear theory gives such a hull; less for one that planes"),
@@ -78,9 +85,9 @@ const Mapping<VesselModel>& vesselModelSchema() {
       mapping("hull", &VesselModel::hull, boxSchema(), "the box that floats", Need::required),
       mapping("drawing", &VesselModel::drawing, drawingSchema(), "how it looks"),
       mapping("mesh", &VesselModel::mesh, hullMeshSchema(),
-              "the hull that `seaway sail` takes loads on"),
-      mapping("propeller", &VesselModel::propeller, propellerSchema(), "for `seaway sail`"),
-      mapping("rudder", &VesselModel::rudder, rudderSchema(), "for `seaway sail`"),
+              "the closed hull that loads on a free vessel are taken on"),
+      mapping("propeller", &VesselModel::propeller, propellerSchema(), "of a free vessel"),
+      mapping("rudder", &VesselModel::rudder, rudderSchema(), "of a free vessel"),
       mapping("wake", &VesselModel::wake, wakeSchema(), "the waves it makes under way"),
   });
   return schema;

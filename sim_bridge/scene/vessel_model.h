@@ -12,11 +12,17 @@
 
 namespace seaway::bridge {
 
-/// How a vessel is drawn; its motion is always that of its box.
-enum class VesselShape { launch, openLaunch, buoy };
+/// How a vessel is drawn.
+enum class VesselShape {
+  launch,
+  openLaunch,
+  buoy,
+  mesh,  ///< VesselDrawing::source
+};
 
 struct VesselDrawing {
   VesselShape shape = VesselShape::launch;
+  std::string source;  ///< of shape `mesh`: see hullByName; empty: the mesh that loads are taken on
   glm::vec3 hullColour{0.05f, 0.10f, 0.22f};  ///< linear reflectance, each in [0, 1]
   glm::vec3 deckColour{0.55f, 0.53f, 0.48f};
   glm::vec3 houseColour{0.80f, 0.80f, 0.78f};
@@ -27,7 +33,7 @@ enum class WakeForm { drawn, box, wigley };
 
 struct VesselWake {
   WakeForm form = WakeForm::drawn;
-  double strength = 1.0;    ///< part of the waves that linear theory gives such a hull
+  double strength = 1.0;      ///< part of the waves that linear theory gives such a hull
   bool feltByItself = false;  ///< else its hull does not ride its own waves
 };
 

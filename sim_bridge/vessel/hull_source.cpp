@@ -21,11 +21,15 @@ struct Shape {
   TriangleMesh (*make)(Numbers, std::size_t);
 };
 
-constexpr std::array<Shape, 4> shapes{{
+constexpr std::array<Shape, 5> shapes{{
     {"box", "box:LENGTH,BEAM,DEPTH", 3,
      [](Numbers n, std::size_t count) { return boxMesh(n[0], n[1], n[2], 0.5 * n[2], count); }},
     {"wigley", "wigley:LENGTH,BEAM,DRAFT,FREEBOARD", 4,
      [](Numbers n, std::size_t count) { return wigleyMesh(n[0], n[1], n[2], n[3], count); }},
+    {"open_wigley", "open_wigley:LENGTH,BEAM,DRAFT,FREEBOARD,WALL", 5,
+     [](Numbers n, std::size_t count) {
+       return openWigleyMesh(n[0], n[1], n[2], n[3], n[4], count);
+     }},
     {"sphere", "sphere:RADIUS", 1,
      [](Numbers n, std::size_t count) { return sphereMesh(n[0], count); }},
     {"spar", "spar:DIAMETER,DRAFT,FREEBOARD", 3,

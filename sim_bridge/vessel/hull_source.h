@@ -9,7 +9,8 @@
 namespace seaway::bridge {
 
 /// A hull's mesh by its name: a file (STL, OBJ, glTF), or a shape with its dimensions in m:
-/// `box:LENGTH,BEAM,DEPTH`, `wigley:LENGTH,BEAM,DRAFT,FREEBOARD`, `sphere:RADIUS`,
+/// `box:LENGTH,BEAM,DEPTH`, `wigley:LENGTH,BEAM,DRAFT,FREEBOARD`,
+/// `open_wigley:LENGTH,BEAM,DRAFT,FREEBOARD,WALL`, `sphere:RADIUS`,
 /// `spar:DIAMETER,DRAFT,FREEBOARD`, of about `triangles` triangles. Shapes have z = 0 at their
 /// design waterline; a box floats half deep. Not checked. Throws InputError for what is neither.
 TriangleMesh hullByName(const std::string& name, const HullFileSettings& settings = {},

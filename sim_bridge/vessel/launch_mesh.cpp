@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "sim_bridge/vessel/hull_drawing.h"
 #include "sim_bridge/vessel/mesh_builder.h"
 #include "sim_bridge/vessel/vessel_mesh.h"
 
@@ -81,7 +82,7 @@ void addTransom(MeshPart& part, const Station& stern) {
 
 /// A box-shaped well in the deck, between two stations.
 struct Cockpit {
-  int aft = 0, fore = 0;                    // stations; none where equal
+  int aft = 0, fore = 0;                             // stations; none where equal
   float halfWidth = 0.0f, floor = 0.0f, top = 0.0f;  // m; top: the deck's lowest there
   bool holds(int station) const { return station >= aft && station < fore; }
 };
@@ -248,6 +249,8 @@ render::Mesh vesselMesh(const VesselModel& model) {
       return launchMesh(model.hull, model.drawing);
     case VesselShape::buoy:
       return buoyMesh(model.hull, model.drawing);
+    case VesselShape::mesh:
+      return hullDrawing(model);
   }
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "sim_bridge/vessel/vessel_mesh.h"
 #include "surface/constants.h"
+#include "surface/hull/section_outline.h"
 
 namespace seaway::bridge {
 namespace {
@@ -60,6 +61,19 @@ HullFootprint buoyFootprint(const BoxHull& hull) {
   return HullFootprint(std::move(lines));
 }
 
+/// Convex outlines of the mesh's sections: right for hulls whose waterlines do not curve inwards.
+HullFootprint meshFootprint(const VesselModel& model) {
+  const auto hull = hullModelOf(model.mesh, model.hull);
+  const double rest = hull->restHeight(), draft = -rest - hull->bounds().lower.z;
+  std::vector<Waterline> lines;
+  for (const double part : heights) {
+    // A hair above the keel, where a flat bottom has its area.
+    const double z = std::max(part, -0.999) * draft;
+    lines.push_back({part * draft, sectionOutline(hull->mesh(), z - rest)});
+  }
+  return HullFootprint(std::move(lines));
+}
+
 }  // namespace
 
 HullFootprint wakeFootprint(const VesselModel& model) {
@@ -72,6 +86,7 @@ HullFootprint wakeFootprint(const VesselModel& model) {
     case WakeForm::drawn:
       break;
   }
+  if (model.drawing.shape == VesselShape::mesh) return meshFootprint(model);
   return model.drawing.shape == VesselShape::buoy ? buoyFootprint(hull) : launchFootprint(hull);
 }
 

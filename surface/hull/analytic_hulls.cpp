@@ -8,6 +8,7 @@
 #include <map>
 
 #include "surface/constants.h"
+#include "surface/input_error.h"
 
 namespace seaway {
 namespace {
@@ -116,6 +117,45 @@ TriangleMesh wigleyMesh(double length, double beam, double draft, double freeboa
   addSheet(mesh, 2 * (stations / 2), 1, [&](double u, double v) {
     return glm::dvec3((u - 0.5) * length, (2.0 * v - 1.0) * halfBreadth(u, 0.0), freeboard);
   });
+  return closed(mesh);
+}
+
+TriangleMesh openWigleyMesh(double length, double beam, double draft, double freeboard, double wall,
+                            std::size_t triangles) {
+  if (!(wall > 0.0) || !(wall < 0.5 * beam) || !(wall < draft)) {
+    throw InputError("an open hull's wall of " + std::to_string(wall) +
+                     " m must be above 0 and below its draft and half its beam");
+  }
+  struct Skin {
+    double length, halfBeam, draft;
+    glm::dvec3 at(double u, double z, double side) const {
+      const double along = 2.0 * u - 1.0, down = std::clamp(z / draft, -1.0, 0.0);
+      return {0.5 * along * length, side * halfBeam * (1.0 - along * along) * (1.0 - down * down),
+              z};
+    }
+  };
+  const Skin outer{length, 0.5 * beam, draft};
+  const Skin inner{length - 2.0 * wall, 0.5 * beam - wall, draft - wall};
+  // Of each side, outside and inside, n stations by m + 1 waterlines, and the rim.
+  const int waterlines = 6;
+  const int stations = std::max(16, static_cast<int>(triangles / (8 * waterlines + 12)));
+  TriangleMesh mesh;
+  for (const double side : {-1.0, 1.0}) {
+    const auto skin = [&](const Skin& which, bool flip) {
+      const auto place = [&](double u, double z) {
+        return which.at((side < 0.0) != flip ? u : 1.0 - u, z, side);
+      };
+      addSheet(mesh, stations, waterlines,
+               [&](double u, double v) { return place(u, (v - 1.0) * which.draft); });
+      addSheet(mesh, stations, 1, [&](double u, double v) { return place(u, v * freeboard); });
+    };
+    skin(outer, false);
+    skin(inner, true);
+    addSheet(mesh, stations, 1, [&](double u, double v) {
+      const double at = side < 0.0 ? u : 1.0 - u;
+      return glm::mix(outer.at(at, freeboard, side), inner.at(at, freeboard, side), v);
+    });
+  }
   return closed(mesh);
 }
 

@@ -19,6 +19,13 @@ TriangleMesh boxMesh(double length, double beam, double depth, double draft,
 TriangleMesh wigleyMesh(double length, double beam, double draft, double freeboard,
                         std::size_t triangles = 800);
 
+/// An open boat: the same without a deck, hollow down to `wall` m from the outside amidships, ends
+/// and keel; closed as a mesh (its skin is two-sided), for drawings. Loads take the water to be
+/// inside it too: give them wigleyMesh. Throws InputError for a wall of half the beam or of the
+/// draft, or more.
+TriangleMesh openWigleyMesh(double length, double beam, double draft, double freeboard, double wall,
+                            std::size_t triangles = 800);
+
 /// A ball about the origin, by rings of latitude. Vertices stand a little outside (0.5 % of the
 /// radius at 800 triangles), so that the volume is the ball's.
 TriangleMesh sphereMesh(double radius, std::size_t triangles = 800);

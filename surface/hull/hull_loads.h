@@ -79,6 +79,7 @@ class LoadScratch {
   std::optional<SurfaceAtTime> water_;
   std::vector<double> x_, y_, depth_, pressure_;
   std::vector<float> height_, slopeX_, slopeY_, stretched_, head_;
+  std::vector<float> change_;  // of heights by splashes, rain, ripples and layers
   std::vector<glm::dvec2> place_;
   std::vector<std::uint32_t> wet_;
 };
@@ -94,9 +95,12 @@ class LoadScratch {
 /// draft.
 ///
 /// Waves shorter than the hull's cut-off are left out; HullLoads::leftOut says how much. A hull
-/// does not disturb the water. Splashes, rain and layers, and the outline, are not looked at. A pose or time that is not
-/// finite gives NaN and `notFinite`; Perlin octaves have no pressure or motion below the surface:
-/// hydrostatic pressure then, and `noKinematics`; where a trough falls to the bed, NaN and
+/// does not disturb the water. Splashes, rain, ripples and what layers damp are felt at the
+/// surface, below it as fast as waves of 2 m die down. Shores are told, not felt: where a vertex is
+/// outside the outline the sea is taken to go on, and the status has `dry`; where one is below the
+/// bed, pressure grows on as in the water, and the status has `belowBed`. A pose or time that is
+/// not finite gives NaN and `notFinite`; Perlin octaves have no pressure or motion below the
+/// surface: hydrostatic pressure then, and `noKinematics`; where a trough falls to the bed, NaN and
 /// `belowBed`.
 ///
 /// The same bits for the same input on any thread. Allocates only while `scratch` grows.

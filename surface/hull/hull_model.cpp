@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "surface/hull/mesh_calibration.h"
 #include "surface/hull/mesh_check.h"
 #include "surface/input_error.h"
 
@@ -65,6 +66,12 @@ double safeRoot(double value) { return value > 0.0 ? std::sqrt(value) : 0.0; }
 HullModel::HullModel(TriangleMesh mesh, const HullSettings& settings) : settings_(settings) {
   requireSane(settings);
   mesh_ = checked(std::move(mesh));
+  if (settings.knownWaterplane) {
+    if (!settings.knownVolume) {
+      throw InputError("a known waterplane needs a known displacement beside it");
+    }
+    mesh_ = calibrated(mesh_, *settings.knownVolume, *settings.knownWaterplane);
+  }
   bounds_ = boundsOf(mesh_);
   const glm::dvec3 size = bounds_.size();
   const auto given = [](double value, double otherwise) { return value > 0.0 ? value : otherwise; };

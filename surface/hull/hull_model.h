@@ -45,9 +45,12 @@ struct HullSettings {
   glm::dvec3 centreOfGravity{0.0};  ///< m
   glm::dvec3 gyradii{0.0};          ///< about x, y, z, m; 0: 0.35 beam, 0.25 and 0.25 length
   glm::ivec2 columns{20, 20};       ///< of level `columns`, along and across, ≥ 2 each
-  /// Displacement known with z = 0 in the water, m³; its ratio to the mesh's own multiplies buoyancy:
-  /// V, KB, BM of a Wigley hull of 800 triangles within 0.05 %, its waterplane 0.3 % too large.
+  /// Displacement known with z = 0 in the water, m³, which the mesh is calibrated to. Alone: its
+  /// ratio to the mesh's own multiplies buoyancy (V, KB, BM of a Wigley hull of 800 triangles
+  /// within 0.05 %, its waterplane 0.3 % too large). With `knownWaterplane`: see calibrated().
   std::optional<double> knownVolume;
+  /// Area of the waterplane at z = 0, m²; needs knownVolume.
+  std::optional<double> knownWaterplane;
   /// Shortest waves that count, m; empty: cutoffFor(length).
   std::optional<double> shortestWavelength;
   HullCoefficients coefficients;

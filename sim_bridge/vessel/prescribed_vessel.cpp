@@ -1,4 +1,4 @@
-#include "sim_bridge/vessel/vessel.h"
+#include "sim_bridge/vessel/prescribed_vessel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,7 @@ constexpr double subStepPhase = 0.1;  // rad of the fastest natural oscillation
 
 }  // namespace
 
-glm::dquat VesselPose::worldFromBody() const { return render::attitude(direction, pitch, roll); }
-
-Vessel::Vessel(const BoxHull& hull, const Course& course)
+PrescribedVessel::PrescribedVessel(const BoxHull& hull, const Course& course)
     : hull_(hull), course_(course), columns_(hullColumns(hull)) {
   for (const HullColumn& column : columns_) {
     secondMomentAlong_ += column.area * column.place.x * column.place.x;
@@ -28,18 +26,18 @@ Vessel::Vessel(const BoxHull& hull, const Course& course)
   submergedVolume_ = hull_.mass() / seaWaterDensity;
 }
 
-VesselPose Vessel::pose() const {
+VesselPose PrescribedVessel::pose() const {
   const CoursePoint course = course_.at(time_);
   return {course.position, course.direction, heave_.value, pitch_.value, roll_.value};
 }
 
-void Vessel::displace(double heave, double roll, double pitch) {
+void PrescribedVessel::displace(double heave, double roll, double pitch) {
   heave_.value += heave;
   roll_.value += roll;
   pitch_.value += pitch;
 }
 
-void Vessel::samplePoints(double t, std::span<glm::dvec2> out) const {
+void PrescribedVessel::samplePoints(double t, std::span<glm::dvec2> out) const {
   const CoursePoint course = course_.at(t);
   const glm::dquat worldFromBody = render::attitude(course.direction, pitch_.value, roll_.value);
   out[0] = course.position;
@@ -49,13 +47,13 @@ void Vessel::samplePoints(double t, std::span<glm::dvec2> out) const {
   }
 }
 
-void Vessel::takeWater(std::span<const SurfaceSample> water) {
+void PrescribedVessel::takeWater(std::span<const SurfaceSample> water) {
   waterBefore_.swap(waterAfter_);
   waterHeight_ = water[0].height;
   std::copy(water.begin() + 1, water.end(), waterAfter_.begin());
 }
 
-void Vessel::settle(double t, std::span<const SurfaceSample> water) {
+void PrescribedVessel::settle(double t, std::span<const SurfaceSample> water) {
   time_ = t;
   takeWater(water);
   waterBefore_ = waterAfter_;
@@ -81,7 +79,7 @@ void Vessel::settle(double t, std::span<const SurfaceSample> water) {
 
 // Buoyancy of every column: ρg A ℓ (−∇η, 1) at the middle of its wet length ℓ, moments about the
 // centre of gravity. Either end of a column may be the lower one, so a capsized box floats too.
-Vessel::Loads Vessel::buoyancy(double direction, double part) const {
+PrescribedVessel::Loads PrescribedVessel::buoyancy(double direction, double part) const {
   const glm::dquat worldFromBody = render::attitude(direction, pitch_.value, roll_.value);
   const glm::dvec3 rollAxis = worldFromBody * glm::dvec3(1.0, 0.0, 0.0);
   const glm::dvec3 pitchAxis(std::sin(direction), -std::cos(direction), 0.0);  // to starboard
@@ -114,7 +112,7 @@ Vessel::Loads Vessel::buoyancy(double direction, double part) const {
 
 // The rates at which the hull would move with the water. A hull that goes ahead while its bow
 // points up rises without any flow along its own vertical axis: hence the term with the velocity.
-Vessel::Flow Vessel::flow(const CoursePoint& course, double part) const {
+PrescribedVessel::Flow PrescribedVessel::flow(const CoursePoint& course, double part) const {
   Flow result;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const HullColumn& column = columns_[i];
@@ -130,7 +128,7 @@ Vessel::Flow Vessel::flow(const CoursePoint& course, double part) const {
   return result;
 }
 
-void Vessel::subStep(double t, double dt, double part) {
+void PrescribedVessel::subStep(double t, double dt, double part) {
   const CoursePoint course = course_.at(t);
   const Loads loads = buoyancy(course.direction, part);
   const Flow water = flow(course, part);
@@ -151,7 +149,7 @@ void Vessel::subStep(double t, double dt, double part) {
             water.pitch);
 }
 
-void Vessel::advance(double t, std::span<const SurfaceSample> water) {
+void PrescribedVessel::advance(double t, std::span<const SurfaceSample> water) {
   takeWater(water);
   const double fastest =
       std::max({hull_.heaveFrequency(), hull_.rollFrequency(), hull_.pitchFrequency()});
@@ -165,7 +163,7 @@ void Vessel::advance(double t, std::span<const SurfaceSample> water) {
   submergedVolume_ = buoyancy(course_.at(t).direction, 1.0).volume;
 }
 
-void Vessel::advanceUpright(double t, std::span<const SurfaceSample> water) {
+void PrescribedVessel::advanceUpright(double t, std::span<const SurfaceSample> water) {
   takeWater(water);
   time_ = t;
   heave_ = roll_ = pitch_ = {};

@@ -1,4 +1,4 @@
-#include "sim_bridge/vessel/vessel.h"
+#include "sim_bridge/vessel/prescribed_vessel.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ struct Sailing {
     vessel.advance(t, samples);
   }
 
-  Vessel vessel;
+  PrescribedVessel vessel;
   Water water;
   std::vector<glm::dvec2> points;
   std::vector<SurfaceSample> samples;
@@ -103,7 +103,7 @@ TEST(BoxHull, ColumnsHaveTheBoxesAreaAndSecondMomentsForAnyNumber) {
   }
 }
 
-TEST(Vessel, StaysAtItsDraftInStillWater) {
+TEST(PrescribedVessel, StaysAtItsDraftInStillWater) {
   Sailing sailing(launch(), atRest, flat);
   for (int i = 1; i <= 500; ++i) sailing.advance(0.02 * i);
   // Rounding alone moves it.
@@ -111,7 +111,7 @@ TEST(Vessel, StaysAtItsDraftInStillWater) {
   EXPECT_NEAR(sailing.vessel.submergedVolume(), 12.0 * 3.6 * 0.55, 1e-8);
 }
 
-TEST(Vessel, ReturnsToItsDraftWithinAThousandthWhenPushed) {
+TEST(PrescribedVessel, ReturnsToItsDraftWithinAThousandthWhenPushed) {
   Sailing sailing(launch(), atRest, flat);
   sailing.vessel.displace(-0.3, 0.1, 0.05);
   for (int i = 1; i <= 3000; ++i) sailing.advance(0.02 * i);
@@ -122,7 +122,7 @@ TEST(Vessel, ReturnsToItsDraftWithinAThousandthWhenPushed) {
 
 // Linear theory without added mass; 0.2 %: semi-implicit Euler at
 // ω dt ≤ 0.1 errs by (ω dt)²/24 = 0.04 %, crossings by interpolation over 60 s; angles are small.
-TEST(Vessel, HeavesAtTheFrequencyOfItsWaterplane) {
+TEST(PrescribedVessel, HeavesAtTheFrequencyOfItsWaterplane) {
   const BoxHull hull = undamped(launch());
   Sailing sailing(hull, atRest, flat);
   sailing.vessel.displace(0.02, 0.0, 0.0);
@@ -132,7 +132,7 @@ TEST(Vessel, HeavesAtTheFrequencyOfItsWaterplane) {
   EXPECT_NEAR(measured, theory, 2e-3 * theory);
 }
 
-TEST(Vessel, RollsAtTheFrequencyOfItsMetacentricHeight) {
+TEST(PrescribedVessel, RollsAtTheFrequencyOfItsMetacentricHeight) {
   const BoxHull hull = undamped(launch());
   Sailing sailing(hull, atRest, flat);
   sailing.vessel.displace(0.0, 0.01, 0.0);
@@ -143,7 +143,7 @@ TEST(Vessel, RollsAtTheFrequencyOfItsMetacentricHeight) {
   EXPECT_NEAR(measured, theory, 2e-3 * theory);
 }
 
-TEST(Vessel, PitchesAtTheFrequencyOfItsLongitudinalMetacentricHeight) {
+TEST(PrescribedVessel, PitchesAtTheFrequencyOfItsLongitudinalMetacentricHeight) {
   const BoxHull hull = undamped(launch());
   Sailing sailing(hull, atRest, flat);
   sailing.vessel.displace(0.0, 0.0, 0.005);
@@ -157,7 +157,7 @@ TEST(Vessel, PitchesAtTheFrequencyOfItsLongitudinalMetacentricHeight) {
 // λ = 40 L: the hull lies along the water. What is left of its inertia is of the order of (ω/ω₀)²,
 // 2 % at the slowest natural frequency (roll's 2.5 rad/s against 0.36), and about as much again
 // while the start dies down.
-TEST(Vessel, FollowsLongWavesAtAnySpeedAndHeading) {
+TEST(PrescribedVessel, FollowsLongWavesAtAnySpeedAndHeading) {
   const double amplitude = 1.0;
   const double k = 2.0 * pi / 480.0;
   const double omega = std::sqrt(standardGravity * k);
@@ -186,7 +186,7 @@ TEST(Vessel, FollowsLongWavesAtAnySpeedAndHeading) {
   }
 }
 
-TEST(Vessel, BowRisesOnAWaveAheadAndStarboardSinksOnAWaveToPort) {
+TEST(PrescribedVessel, BowRisesOnAWaveAheadAndStarboardSinksOnAWaveToPort) {
   const Water risingAhead = [](glm::dvec2 p, double) {
     SurfaceSample sample;
     sample.height = 0.05 * p.x;
@@ -199,7 +199,7 @@ TEST(Vessel, BowRisesOnAWaveAheadAndStarboardSinksOnAWaveToPort) {
   EXPECT_NEAR(south.vessel.pose().roll, std::atan(0.05), 1e-9);
 }
 
-TEST(Vessel, DampedMotionLosesEnergyAndUndampedKeepsIt) {
+TEST(PrescribedVessel, DampedMotionLosesEnergyAndUndampedKeepsIt) {
   Sailing free(undamped(launch()), atRest, flat);
   free.vessel.displace(0.05, 0.0, 0.0);
   double largestLate = 0.0;
