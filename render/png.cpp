@@ -22,9 +22,7 @@ png_image emptyImage() {
   throw InputError(path.string(), 0, what);
 }
 
-}  // namespace
-
-void writePng(const std::filesystem::path& path, const ColourImage& image) {
+png_image headerOf(const ColourImage& image, const std::filesystem::path& path) {
   if (image.size.x < 1 || image.size.y < 1 ||
       image.rgb.size() != std::size_t{3} * image.size.x * image.size.y) {
     fail(path, "cannot be written: the image is empty or its size does not match its pixels");
@@ -34,7 +32,13 @@ void writePng(const std::filesystem::path& path, const ColourImage& image) {
   png.height = static_cast<png_uint_32>(image.size.y);
   png.format = PNG_FORMAT_RGB;
   png.flags = PNG_IMAGE_FLAG_FAST;  // five times faster for a fifth more bytes
+  return png;
+}
 
+}  // namespace
+
+void writePng(const std::filesystem::path& path, const ColourImage& image) {
+  png_image png = headerOf(image, path);
   std::filesystem::path partial = path;
   partial += partialPngSuffix;
   std::error_code error;
@@ -48,6 +52,17 @@ void writePng(const std::filesystem::path& path, const ColourImage& image) {
     std::filesystem::remove(partial, error);
     fail(path, "cannot be written: " + reason);
   }
+}
+
+std::string pngBytes(const ColourImage& image) {
+  png_image png = headerOf(image, "picture");
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr)) {
+    fail("picture", std::string("cannot be written: ") + png.message);
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 ColourImage readPng(const std::filesystem::path& path) {

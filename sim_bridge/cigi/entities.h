@@ -27,7 +27,15 @@ class Entities {
  public:
   void set(const EntityControl& control, bool withPosition);
   void set(const EntityPosition& position);
-  void clear() { entities_.clear(); }
+  /// An entity goes on at this rate from now on, until it is told another or none (all 0). Rates of
+  /// articulated parts are not for it.
+  void set(const RateControl& rate);
+  void clear() { entities_.clear(), moving_ = 0; }
+
+  /// Entities with a rate go on to time `t`, s; from a time later than `t`, or ten seconds before
+  /// it, they do not move.
+  void advanceTo(double t);
+  bool anyMoves() const { return moving_ > 0; }
 
   /// Where an active entity is, through the parents that it is attached to; nothing for one that is
   /// unknown, inactive, or attached in a ring or more than eight deep.
@@ -43,10 +51,13 @@ class Entities {
     bool placed = false;
     std::uint16_t type = 0;
     EntityPosition position;
+    std::optional<RateControl> rate;
   };
   std::optional<EntityPlace> place(std::uint16_t entity, int deepest) const;
 
   std::unordered_map<std::uint16_t, Entity> entities_;
+  std::size_t moving_ = 0;  // entities with a rate, or more
+  double time_ = 0.0;
 };
 
 }  // namespace seaway::bridge::cigi

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "surface/angles.h"
 #include "surface/dispersion.h"
@@ -36,10 +38,14 @@ bool isConsistent(const HostWave& wave, double depth) {
   return std::abs(wave.wavelength / length - 1.0) <= lengthTolerance;
 }
 
+std::string cameraName(std::uint32_t host, std::uint16_t view) {
+  return "cigi:" + std::to_string(host) + ":" + std::to_string(view);
+}
+
 }  // namespace
 
-SeaWater::SeaWater(ServedSea& sea)
-    : sea_(sea), placer_(sea.geodesy()), latitude_deg_(nan), longitude_deg_(nan) {}
+SeaWater::SeaWater(ServedSea& sea, FrameMaker* frames)
+    : sea_(sea), frames_(frames), placer_(sea.geodesy()), latitude_deg_(nan), longitude_deg_(nan) {}
 
 const PlacedPoint& SeaWater::baseOf(double latitude_deg, double longitude_deg) {
   if (latitude_deg_ != latitude_deg || longitude_deg_ != longitude_deg) {
@@ -178,6 +184,7 @@ void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEnti
       const std::uint32_t made = sea_.addHull(entity.entity);
       if (made == 0) continue;
       hull = hulls_.emplace(key, made).first;
+      if (views_.contains(host)) setCameras(host);
     }
     present.insert(entity.entity);
     follow(hull->second, t, entity);
@@ -189,7 +196,50 @@ void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEnti
   });
 }
 
+void SeaWater::viewAsked(std::uint32_t host, const ViewControl& view) {
+  if (!frames_) return;
+  views_[host].set(view);
+  setCameras(host);
+}
+
+void SeaWater::viewDefined(std::uint32_t host, const ViewDefinition& view) {
+  if (!frames_) return;
+  if (!views_[host].set(view) && !std::exchange(warnedOfView_, true)) {
+    spdlog::warn("CIGI: a View Definition is passed over: orthographic, mirrored, or too wide");
+  }
+  setCameras(host);
+}
+
+void SeaWater::setCameras(std::uint32_t host) {
+  const auto scene = sea_.scene();
+  for (const auto& [number, view] : views_[host].views()) {
+    const std::string name = cameraName(host, number);
+    const auto hull = hulls_.find({host, view.entity});
+    if (!view.placed || view.entity >= scene->vessels.size()) {
+      frames_->setCamera(name, std::nullopt);
+      continue;
+    }
+    if (!view.isCentred() && !std::exchange(warnedOfView_, true)) {
+      spdlog::warn("CIGI: a view's window that is not centred is drawn centred");
+    }
+    SceneCamera camera;
+    camera.name = name;
+    camera.mount = scene->vessels[view.entity].name;
+    camera.position = {view.x, -view.y, -view.z};
+    camera.yaw_deg = view.yaw_deg;
+    camera.pitch_deg = view.pitch_deg;
+    camera.roll_deg = view.roll_deg;
+    camera.fieldOfView_deg = view.top_deg - view.bottom_deg;
+    frames_->setCamera(name, camera, hull == hulls_.end() ? 0 : hull->second);
+  }
+}
+
 void SeaWater::hostGone(std::uint32_t host) {
+  if (const auto gone = views_.extract(host)) {
+    for (const auto& [number, view] : gone.mapped().views()) {
+      frames_->setCamera(cameraName(host, number), std::nullopt);
+    }
+  }
   std::erase_if(hulls_, [&](const auto& entry) {
     if (entry.first.first != host) return false;
     sea_.removeHull(entry.second);

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim_bridge/cigi/host_views.h"
 #include "sim_bridge/cigi/water.h"
+#include "sim_bridge/service/frame_maker.h"
 #include "sim_bridge/service/plane_placer.h"
 #include "sim_bridge/service/served_sea.h"
 #include "surface/water_kinematics.h"
@@ -28,10 +30,14 @@ namespace seaway::bridge::cigi {
 /// seen in pictures and make wakes (ServedSea), which points of the entity itself do not feel. One
 /// that is clamped floats on the water as it is in the mean under it.
 ///
+/// A host's views of such entities are cameras `cigi:HOST:VIEW` of the FrameMaker, HOST counting
+/// from 1 by arrival; what of a view's window lies off its axis is passed over with a warning.
+///
 /// For one thread at a time; several on one sea.
 class SeaWater : public Water {
  public:
-  explicit SeaWater(ServedSea& sea);
+  /// Without `frames` views are passed over. What is given must outlive this object.
+  explicit SeaWater(ServedSea& sea, FrameMaker* frames = nullptr);
 
   void heights(double t, std::span<const WaterPoint> points, std::span<WaterHeight> out) override;
   void velocities(double t, std::span<const WaterPoint> points,
@@ -39,6 +45,8 @@ class SeaWater : public Water {
   void wavesAsked(std::uint32_t host, double t, std::span<const HostWave> waves) override;
   void entitiesAt(std::uint32_t host, double t, std::span<const HostEntity> entities) override;
   void hostGone(std::uint32_t host) override;
+  void viewAsked(std::uint32_t host, const ViewControl& view) override;
+  void viewDefined(std::uint32_t host, const ViewDefinition& view) override;
 
  private:
   /// Consecutive points that leave out the same hull's waves.
@@ -52,9 +60,12 @@ class SeaWater : public Water {
   std::uint32_t hullOf(const WaterPoint& point) const;
   void place(std::span<const WaterPoint> points);
   void attend(double t);
+  void setCameras(std::uint32_t host);
   bool follow(std::uint32_t hull, double t, const HostEntity& entity);
 
   ServedSea& sea_;
+  FrameMaker* frames_;
+  std::map<std::uint32_t, HostViews> views_;
   PlanePlacer placer_;
   double latitude_deg_, longitude_deg_;  // of the base
   PlacedPoint base_;
@@ -66,7 +77,7 @@ class SeaWater : public Water {
   std::vector<glm::dvec3> points_;
   std::vector<WaterKinematics> motions_;
   std::vector<WakeListener> listeners_;
-  bool warnedOfLength_ = false;
+  bool warnedOfLength_ = false, warnedOfView_ = false;
 };
 
 }  // namespace seaway::bridge::cigi

@@ -95,6 +95,7 @@ void CigiSession::begin(const IgControl& control, Dialect dialect, double now, b
       control.timestampValid ? std::optional(control.timestamp) : std::nullopt;
   const double hostTime = hostTime_.at(control.hostFrame, timestamp, options_.framePeriod);
   time_ = options_.hostClock ? hostTime : now;
+  entities_.advanceTo(time_);
 }
 
 CigiSession::Output CigiSession::tick(double now) {
@@ -105,6 +106,8 @@ CigiSession::Output CigiSession::tick(double now) {
     again_.begin(dialect_, startOfFrame());
     return again_;
   }
+  entities_.advanceTo(time_);
+  if (entities_.anyMoves()) tellWater();
   answerFrame();
   return out_;
 }
@@ -141,7 +144,7 @@ void CigiSession::apply(const Packet& packet) {
   };
   std::visit(
       Overloaded{
-          [](const IgControl&) {}, [](const RateControl&) {},
+          [](const IgControl&) {}, [&](const RateControl& rate) { entities_.set(rate); },
           [&](const EntityControl& control) {
             entities_.set(control, dialect_.version == Version::v33);
           },

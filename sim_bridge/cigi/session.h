@@ -49,8 +49,8 @@ struct SessionOptions {
 ///
 /// Of the packets, IG Control, Entity Control and Position, HAT/HOT Request, Maritime Surface
 /// Conditions and Wave Control (global scope), Environmental Conditions Request (maritime), View
-/// Control and Definition and Water Velocity Request are served; Rate Control is read and passed
-/// over, for a frame's positions are those it brings; all others are passed over by their size.
+/// Control and Definition, Rate Control of entities (which go on between the frames that place
+/// them) and Water Velocity Request are served; all others are passed over by their size.
 ///
 /// Not thread-safe. Allocates only where more is asked than ever before.
 class CigiSession {

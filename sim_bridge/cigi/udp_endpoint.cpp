@@ -125,12 +125,29 @@ class UdpEndpoint::Server {
   }
 
   void serve(std::size_t size) {
-    Host* from = host(sender_);
-    if (!from) return;
-    from->heard = Clock::now();
-    guarded([&] {
-      send(*from, sender_, from->session.receive(Bytes(buffer_.data(), size), options_.now()));
-    });
+    const Clock::time_point begun = Clock::now();
+    const DatagramTally before = tally();
+    if (Host* from = host(sender_)) {
+      from->heard = begun;
+      guarded([&] {
+        send(*from, sender_, from->session.receive(Bytes(buffer_.data(), size), options_.now()));
+      });
+    }
+    const DatagramTally after = tally();
+    options_.served({after.points - before.points, after.dropped - before.dropped,
+                     after.refused - before.refused},
+                    std::chrono::duration<double>(Clock::now() - begun).count());
+  }
+
+  DatagramTally tally() const {
+    const auto sum = [&](std::initializer_list<Count> all) {
+      std::uint64_t total = 0;
+      for (const Count each : all) total += counts_[each];
+      return total;
+    };
+    return {
+        sum({Count::heights, Count::velocities}), sum({Count::malformed, Count::unexpected}),
+        sum({Count::wrongSize, Count::unsupported, Count::refusedRequests, Count::refusedHosts})};
   }
 
   /// The session of an address, made where there is room; null where there is none.

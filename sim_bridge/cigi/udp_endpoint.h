@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,13 @@
 
 namespace seaway::bridge::cigi {
 
+/// What became of one datagram.
+struct DatagramTally {
+  std::uint64_t points = 0;   ///< asked for, and answered
+  std::uint64_t dropped = 0;  ///< datagrams that are no message of a host
+  std::uint64_t refused = 0;  ///< packets and hosts that are not served
+};
+
 struct UdpOptions {
   SocketAddress address{"127.0.0.1", 0};  ///< to bind to
   /// A host that is sent a Start of Frame each period before it has spoken, and how.
@@ -22,6 +30,8 @@ struct UdpOptions {
   std::size_t mostHosts = 16;   ///< at a time
   double silentAfter = 10.0;    ///< s without a datagram: then a host is forgotten
   std::function<double()> now;  ///< s since the scene's epoch; of each datagram and tick
+  /// Hears of every datagram, and how long it took, s.
+  std::function<void(const DatagramTally&, double)> served = [](const DatagramTally&, double) {};
 };
 
 /// CIGI over UDP: a session for every address that sends to it, all on one thread that is the only

@@ -10,18 +10,21 @@
 
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/service/service_log.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
 namespace {
 
-/// SIGINT and SIGTERM held back from every thread that is started from now on, to be waited for.
+/// SIGINT, SIGTERM and SIGHUP held back from every thread that is started from now on, to be waited
+/// for.
 class EndSignals {
  public:
   EndSignals() {
     sigemptyset(&signals_);
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGTERM);
+    sigaddset(&signals_, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   }
   int wait() const {
@@ -34,28 +37,53 @@ class EndSignals {
   sigset_t signals_;
 };
 
-// A new kind of endpoint is one line here.
-std::vector<std::unique_ptr<Endpoint>> endpointsFor(const ServeOptions& options, ServedSea& sea,
-                                                    const ServeClock& clock) {
-  std::vector<std::unique_ptr<Endpoint>> endpoints;
-  if (auto cigi = makeCigiEndpoint(options.cigi, sea, clock)) endpoints.push_back(std::move(cigi));
-  if (endpoints.empty()) throw InputError("nothing to serve; give one of: --cigi");
-  return endpoints;
+using Endpoints = std::vector<std::unique_ptr<Endpoint>>;
+
+std::vector<std::string> descriptionsOf(const Endpoints& endpoints) {
+  std::vector<std::string> all;
+  for (const auto& endpoint : endpoints) all.push_back(endpoint->description());
+  return all;
+}
+
+// A new kind of endpoint is one line here. The one that tells of the others ends first.
+void makeEndpoints(const ServeOptions& options, ServedSea& sea, const ServeClock& clock,
+                   FrameMaker& frames, Endpoints& endpoints) {
+  const auto add = [&](std::unique_ptr<Endpoint> made) {
+    if (made) endpoints.push_back(std::move(made));
+  };
+  add(makeMetricsEndpoint(options.metrics, sea, clock, frames,
+                          [&endpoints] { return descriptionsOf(endpoints); }));
+  add(makeCigiEndpoint(options.cigi, sea, clock, frames));
+  if (endpoints.empty()) throw InputError("nothing to serve; give one of: --cigi, --metrics");
+}
+
+void reload(const std::string& file, ServedSea& sea) {
+  try {
+    const Scene scene = loadScene(file);
+    sea.replaceScene(scene, buildSea(scene));
+    spdlog::info("{} is loaded anew", file);
+  } catch (const std::exception& fault) {
+    spdlog::error("the scene stays as it was: {}", fault.what());
+  }
 }
 
 }  // namespace
 
 int runServe(const ServeOptions& options) {
   const EndSignals signals;
+  beginServiceLog("--log-format", options.logFormat);
   const ServeClock clock = ServeClock::parse("--clock", options.clock);
   const Scene scene = loadScene(options.scene);
   ServedSea sea(scene, buildSea(scene));
-  const auto endpoints = endpointsFor(options, sea, clock);
+  FrameMaker frames(sea);
+  Endpoints endpoints;
+  makeEndpoints(options, sea, clock, frames, endpoints);
   for (const auto& endpoint : endpoints) {
     endpoint->start();
     spdlog::info("{} serves {}", endpoint->description(), options.scene);
   }
-  const int signal = signals.wait();
+  int signal = signals.wait();
+  for (; signal == SIGHUP; signal = signals.wait()) reload(options.scene, sea);
   spdlog::info("{}: ending", signal == SIGINT ? "interrupted" : "terminated");
   for (const auto& endpoint : endpoints) endpoint->stop();
   return 0;
@@ -71,8 +99,13 @@ void addServeCommand(CLI::App& app, ChosenCommand& chosen) {
           "--clock", options->clock,
           "whose time: host (each request's own), real (from 0 on), or xN, N times as fast")
       ->capture_default_str();
+  command->add_option("--log-format", options->logFormat, "text, or json: one object a line")
+      ->capture_default_str();
+  addMetricsOptions(*command, options->metrics);
   addCigiOptions(*command, options->cigi);
-  command->footer("Example:\n  seaway serve configs/scenes/canaveral.yaml --cigi 8004");
+  command->footer(
+      "Example:\n  seaway serve configs/scenes/canaveral.yaml --cigi 8004 "
+      "--metrics 9100");
   command->callback([=, &chosen] { chosen = [=] { return runServe(*options); }; });
 }
 

@@ -1,18 +1,8 @@
 #include "sim_bridge/report/html_page.h"
 
 namespace seaway::bridge {
-namespace {
 
-constexpr const char* style =
-    "body{font:16px/1.5 sans-serif;color:#222;background:#fff;margin:0}"
-    "main{max-width:56rem;margin:2rem auto;padding:0 1rem}"
-    "table{border-collapse:collapse;margin:1rem 0}"
-    "th,td{padding:.25rem .9rem;border-bottom:1px solid #ddd;text-align:right}"
-    "th:first-child,td:first-child{text-align:left}"
-    "figure{margin:1.5rem 0}figure svg{max-width:100%;height:auto}"
-    "figcaption{color:#555;font-size:.9rem}h1{font-size:1.6rem}h2{font-size:1.2rem}";
-
-std::string escaped(const std::string& text) {
+std::string htmlEscaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -35,10 +25,21 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+namespace {
+
+constexpr const char* style =
+    "body{font:16px/1.5 sans-serif;color:#222;background:#fff;margin:0}"
+    "main{max-width:56rem;margin:2rem auto;padding:0 1rem}"
+    "table{border-collapse:collapse;margin:1rem 0}"
+    "th,td{padding:.25rem .9rem;border-bottom:1px solid #ddd;text-align:right}"
+    "th:first-child,td:first-child{text-align:left}"
+    "figure{margin:1.5rem 0}figure svg{max-width:100%;height:auto}"
+    "figcaption{color:#555;font-size:.9rem}h1{font-size:1.6rem}h2{font-size:1.2rem}";
+
 std::string row(const std::vector<std::string>& cells, const std::string& tag) {
   std::string result = "<tr>";
   for (const std::string& cell : cells)
-    result += "<" + tag + ">" + escaped(cell) + "</" + tag + ">";
+    result += "<" + tag + ">" + htmlEscaped(cell) + "</" + tag + ">";
   return result + "</tr>\n";
 }
 
@@ -46,12 +47,12 @@ std::string row(const std::vector<std::string>& cells, const std::string& tag) {
 
 HtmlPage::HtmlPage(const std::string& title)
     : body_("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-            escaped(title) + "</title><style>" + style + "</style></head><body><main>\n<h1>" +
-            escaped(title) + "</h1>\n") {}
+            htmlEscaped(title) + "</title><style>" + style + "</style></head><body><main>\n<h1>" +
+            htmlEscaped(title) + "</h1>\n") {}
 
-void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + escaped(text) + "</h2>\n"; }
+void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + htmlEscaped(text) + "</h2>\n"; }
 
-void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
+void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + htmlEscaped(text) + "</p>\n"; }
 
 void HtmlPage::table(const std::vector<std::string>& header,
                      const std::vector<std::vector<std::string>>& rows) {
@@ -61,7 +62,7 @@ void HtmlPage::table(const std::vector<std::string>& header,
 }
 
 void HtmlPage::figure(const std::string& svg, const std::string& caption) {
-  body_ += "<figure>" + svg + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+  body_ += "<figure>" + svg + "<figcaption>" + htmlEscaped(caption) + "</figcaption></figure>\n";
 }
 
 }  // namespace seaway::bridge

@@ -5,6 +5,9 @@
 
 namespace seaway::bridge {
 
+/// Text with what HTML takes for its own replaced.
+std::string htmlEscaped(const std::string& text);
+
 /// A self-contained HTML page of headings, paragraphs, tables and SVG figures: no script, no link,
 /// nothing fetched. Texts are escaped; figures come from plot.h.
 class HtmlPage {

@@ -15,8 +15,17 @@ namespace {
 /// The endpoint with the water it asks, and its counts told at the end.
 class CigiEndpoint : public Endpoint {
  public:
-  CigiEndpoint(cigi::UdpOptions options, ServedSea& sea)
-      : water_(sea), udp_(std::move(options), water_) {}
+  CigiEndpoint(cigi::UdpOptions options, ServedSea& sea, FrameMaker& frames)
+      : water_(sea, &frames), udp_(std::move(options), water_) {
+    sea.meters().addEvents("cigi", [this] {
+      std::vector<std::pair<std::string, std::uint64_t>> all;
+      for (std::size_t i = 0; i < cigi::Counts::size(); ++i) {
+        const auto which = static_cast<cigi::Count>(i);
+        all.emplace_back(cigi::Counts::name(which), udp_.counts()[which]);
+      }
+      return all;
+    });
+  }
 
   std::string description() const override { return udp_.description(); }
   void start() override { udp_.start(); }
@@ -73,7 +82,7 @@ void addCigiOptions(CLI::App& command, CigiServiceOptions& options) {
 }
 
 std::unique_ptr<Endpoint> makeCigiEndpoint(const CigiServiceOptions& options, ServedSea& sea,
-                                           const ServeClock& clock) {
+                                           const ServeClock& clock, FrameMaker& frames) {
   cigi::UdpOptions udp;
   const bool synchronous = isFirst("--cigi-pacing", options.pacing, "synchronous", "asynchronous");
   const bool v33 = isFirst("--cigi-version", options.version, "3.3", "4.0");
@@ -87,7 +96,13 @@ std::unique_ptr<Endpoint> makeCigiEndpoint(const CigiServiceOptions& options, Se
   udp.session.framePeriod = 1.0 / options.rate;
   udp.session.waterLevel = sea.scene()->sea.waterLevel;
   udp.now = [clock] { return clock.now(); };
-  return std::make_unique<CigiEndpoint>(std::move(udp), sea);
+  udp.served = [&meter = sea.meters().of("cigi")](const cigi::DatagramTally& tally,
+                                                  double seconds) {
+    for (std::uint64_t i = 0; i < tally.dropped; ++i) meter.refused(Refusal::malformed);
+    for (std::uint64_t i = 0; i < tally.refused; ++i) meter.refused(Refusal::badValue);
+    if (tally.dropped == 0) meter.answered(tally.points, seconds);
+  };
+  return std::make_unique<CigiEndpoint>(std::move(udp), sea, frames);
 }
 
 }  // namespace seaway::bridge

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim_bridge/service/endpoint.h"
+#include "sim_bridge/service/frame_maker.h"
 #include "sim_bridge/service/serve_clock.h"
 #include "sim_bridge/service/served_sea.h"
 
@@ -24,8 +25,9 @@ struct CigiServiceOptions {
 
 void addCigiOptions(CLI::App& command, CigiServiceOptions& options);
 
-/// Null where no CIGI is asked for. `sea` must outlive the endpoint. Throws InputError.
+/// Null where no CIGI is asked for. Counts under `cigi`. `sea` and `frames` must outlive the
+/// endpoint. Throws InputError.
 std::unique_ptr<Endpoint> makeCigiEndpoint(const CigiServiceOptions& options, ServedSea& sea,
-                                           const ServeClock& clock);
+                                           const ServeClock& clock, FrameMaker& frames);
 
 }  // namespace seaway::bridge

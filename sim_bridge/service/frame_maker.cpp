@@ -96,10 +96,11 @@ std::shared_ptr<const render::Frame> FrameMaker::draw(const FrameRequest& reques
   }
 }
 
-void FrameMaker::setCamera(const std::string& name, const std::optional<SceneCamera>& camera) {
+void FrameMaker::setCamera(const std::string& name, const std::optional<SceneCamera>& camera,
+                           std::uint32_t hull) {
   const std::lock_guard lock(mutex_);
   if (camera) {
-    cameras_[name] = *camera;
+    cameras_[name] = {*camera, hull};
   } else {
     cameras_.erase(name);
   }
@@ -119,14 +120,14 @@ std::vector<EffectReport> FrameMaker::effects() const {
   return effects_;
 }
 
-SceneCamera FrameMaker::cameraOf(const FrameRequest& request, const Scene& scene) const {
-  if (request.own) return *request.own;
+FrameMaker::Camera FrameMaker::cameraOf(const FrameRequest& request, const Scene& scene) const {
+  if (request.own) return {*request.own, 0};
   {
     const std::lock_guard lock(mutex_);
     const auto set = cameras_.find(request.camera);
     if (set != cameras_.end()) return set->second;
   }
-  return findCamera(scene, request.camera);
+  return {findCamera(scene, request.camera), 0};
 }
 
 FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
@@ -136,8 +137,11 @@ FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
     scenery_ = std::make_unique<Scenery>(moment.scene, backend_);
   }
   const Scene& scene = moment.scene->scene;
-  const SceneCamera camera = cameraOf(request, scene);
+  const auto [camera, mount] = cameraOf(request, scene);
   const glm::ivec2 size = request.size == glm::ivec2(0) ? scene.run.size : request.size;
+  std::stable_partition(
+      moment.hulls.begin(), moment.hulls.end(),
+      [on = mount](const ServedHull& each) { return on != 0 && each.hull == on; });
   std::vector<PlacedVessel> vessels(moment.hulls.begin(), moment.hulls.end());
   const auto seen = [&] {
     return SceneMoment{request.t, moment.surface.get(), &sea_.geodesy(), vessels};

@@ -42,8 +42,10 @@ class FrameMaker {
   /// drawing fails or the maker ends. The frame is the caller's for as long as it holds it.
   std::shared_ptr<const render::Frame> draw(const FrameRequest& request);
 
-  /// A camera that a host sets, drawn from by its name from now on; nothing: it is gone.
-  void setCamera(const std::string& name, const std::optional<SceneCamera>& camera);
+  /// A camera that a host sets, drawn from by its name from now on; nothing: it is gone. A mounted
+  /// one stands on `hull` where that is there (0: on the first of its mount's hulls).
+  void setCamera(const std::string& name, const std::optional<SceneCamera>& camera,
+                 std::uint32_t hull = 0);
   /// Names that FrameRequest::camera takes.
   std::vector<std::string> cameras() const;
 
@@ -55,7 +57,11 @@ class FrameMaker {
   using Picture = std::shared_ptr<const render::Frame>;
   void run();
   Picture drawHere(const FrameRequest& request);
-  SceneCamera cameraOf(const FrameRequest& request, const Scene& scene) const;
+  struct Camera {
+    SceneCamera scene;
+    std::uint32_t hull = 0;
+  };
+  Camera cameraOf(const FrameRequest& request, const Scene& scene) const;
 
   ServedSea& sea_;
   const std::string backend_;
@@ -64,7 +70,7 @@ class FrameMaker {
   std::condition_variable posted_;
   std::deque<std::function<void()>> jobs_;
   bool ending_ = false;
-  std::map<std::string, SceneCamera> cameras_;
+  std::map<std::string, Camera> cameras_;
   std::vector<EffectReport> effects_;
 
   std::unique_ptr<Scenery> scenery_;  // the thread's own

@@ -98,4 +98,18 @@ std::vector<std::pair<std::string, MeterCounts>> Meters::read() const {
   return all;
 }
 
+void Meters::addEvents(const std::string& endpoint, Events events) {
+  const std::lock_guard lock(mutex_);
+  events_[endpoint] = std::move(events);
+}
+
+std::vector<Meters::Event> Meters::readEvents() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Event> all;
+  for (const auto& [endpoint, events] : events_) {
+    for (auto& [name, count] : events()) all.push_back({endpoint, name, count});
+  }
+  return all;
+}
+
 }  // namespace seaway::bridge

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -93,8 +94,19 @@ class Meters {
   /// All there are, by name.
   std::vector<std::pair<std::string, MeterCounts>> read() const;
 
+  /// What an endpoint counts beside, by name; thread-safe, and there for as long as these meters
+  /// are read.
+  using Events = std::function<std::vector<std::pair<std::string, std::uint64_t>>()>;
+  void addEvents(const std::string& endpoint, Events events);
+  struct Event {
+    std::string endpoint, name;
+    std::uint64_t count;
+  };
+  std::vector<Event> readEvents() const;
+
  private:
   mutable std::mutex mutex_;
+  std::map<std::string, Events> events_;
   std::map<std::string, Meter> meters_;
 };
 

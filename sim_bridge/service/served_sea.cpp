@@ -44,12 +44,14 @@ void ServedSea::setOctaves(std::vector<Octave> octaves) {
   auto waves = std::make_shared<const WaveField>(std::move(octaves), settings);
   const std::lock_guard lock(composing_);
   hostWaves_ = std::move(waves);
+  ++wavesVersion_;
   publish();
 }
 
 void ServedSea::restoreOctaves() {
   const std::lock_guard lock(composing_);
   hostWaves_ = nullptr;
+  ++wavesVersion_;
   publish();
 }
 
@@ -87,6 +89,7 @@ void ServedSea::replaceScene(const Scene& scene, Sea sea) {
   fleet_.retell();
   composed_ = noted_ = next;
   feed_ = nullptr;
+  ++wavesVersion_;
   publish();
   scene_.publish(next);
   coveredFrom_ = 1.0, coveredTo_ = 0.0;

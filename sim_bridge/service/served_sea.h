@@ -65,6 +65,8 @@ class ServedSea {
   void setOctaves(std::vector<Octave> octaves);
   /// The scene's own waves again.
   void restoreOctaves();
+  /// Grows each time that the sea gets other waves.
+  std::uint64_t wavesVersion() const { return wavesVersion_; }
 
   /// Another scene from now on. Hosts' hulls stay where the scene has a vessel of the same name,
   /// waves that a host has set stay too; wakes begin anew. Throws InputError for a scene with
@@ -94,6 +96,8 @@ class ServedSea {
   /// which belongs to that of each answer, says `wakeOutOfTime` where wakes are near a listener and
   /// are not there at `t` now.
   SampleStatus attend(double t, std::span<const WakeListener> listeners);
+  /// The time that was asked for last, s; 0 before any.
+  double lastTime() const { return lastTime_; }
   /// Waits until wakes are as they were called for before: true; not longer than `seconds`: false.
   bool awaitWakes(double seconds) const;
   /// From when to when wakes are there; nothing where there are none.
@@ -115,6 +119,8 @@ class ServedSea {
   std::vector<bool> hostedVessels() const;
 
   const Geodesy geodesy_;
+  std::atomic<double> lastTime_{0.0};
+  std::atomic<std::uint64_t> wavesVersion_{0};
   Meters meters_;
   Published<WaterSurface> surface_;
   Published<ServedScene> scene_;

@@ -57,6 +57,7 @@ bool ServedSea::isBrought(double t, std::uint32_t wake) const {
 
 SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners) {
   if (!std::isfinite(t)) return SampleStatus::ok;
+  lastTime_.store(t, std::memory_order_relaxed);
   const std::lock_guard lock(noting_);
   if (!noted_->wakesAllowed) return SampleStatus::ok;
   const auto now = WakeAttention::Clock::now();

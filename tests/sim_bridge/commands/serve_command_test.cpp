@@ -1,15 +1,14 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
 #include "tests/sim_bridge/cigi/random_packets.h"
 #include "tests/sim_bridge/cigi/udp_host.h"
+#include "tests/sim_bridge/service/served_child.h"
 #include "tests/sim_bridge/test_support.h"
 
 namespace seaway::bridge {
@@ -17,69 +16,11 @@ namespace {
 
 using namespace cigi;
 using cigi::test::UdpSocket;
+using seaway::bridge::test::ServedChild;
 using seaway::bridge::test::TempFolder;
 using seaway::bridge::test::writeScene;
 
 constexpr int hangs = 20000;  // ms
-
-/// `seaway serve` as a child, from its first line on.
-class Service {
- public:
-  Service(const std::string& scene, std::vector<std::string> options) {
-    int ends[2];
-    EXPECT_EQ(pipe(ends), 0);
-    options.insert(options.begin(), {SEAWAY_COMMAND, "serve", scene});
-    std::vector<char*> arguments;
-    for (std::string& option : options) arguments.push_back(option.data());
-    arguments.push_back(nullptr);
-    child_ = fork();
-    if (child_ == 0) {
-      dup2(ends[1], STDERR_FILENO);
-      close(ends[0]);
-      close(ends[1]);
-      execv(SEAWAY_COMMAND, arguments.data());
-      _exit(99);
-    }
-    close(ends[1]);
-    errors_ = ends[0];
-    readUntil("serves");
-  }
-  ~Service() {
-    if (child_ > 0) end(SIGKILL);
-    close(errors_);
-  }
-
-  /// The port that its first line tells.
-  SocketAddress address() const {
-    const std::size_t at = text_.find("127.0.0.1:");
-    EXPECT_NE(at, std::string::npos) << text_;
-    if (at == std::string::npos) return {};
-    return {"127.0.0.1", static_cast<std::uint16_t>(std::stoi(text_.substr(at + 10)))};
-  }
-  int end(int signal) {
-    kill(child_, signal);
-    readUntil("");
-    int status = 0;
-    waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  /// Reads until a word has come, or to the end.
-  void readUntil(const std::string& word) {
-    char part[512];
-    while (word.empty() || text_.find(word) == std::string::npos) {
-      const ssize_t size = read(errors_, part, sizeof part);
-      if (size <= 0) return;
-      text_.append(part, static_cast<std::size_t>(size));
-    }
-  }
-  pid_t child_ = 0;
-  int errors_ = -1;
-  std::string text_;
-};
 
 std::vector<std::byte> ask(std::uint32_t frame, double t) {
   return cigi::test::datagramOf(
@@ -99,13 +40,13 @@ HatHotResponse answerIn(const std::vector<std::byte>& datagram) {
 TEST(ServeCommand, AnswersAHostFromTheScenesSeaAtTheHostsTimeAndEndsWithZero) {
   const TempFolder folder;
   const std::string file = writeScene(folder).string();
-  Service service(file, {"--cigi", "0"});
+  ServedChild service(file, {"--cigi", "0"});
   const Scene scene = loadScene(file);
   const Sea sea = buildSea(scene);
   const glm::dvec2 place = sea.geodesy.seaPlaneFromGeodetic(28.88, -78.46).position;
   UdpSocket host;
   for (std::uint32_t frame = 1; frame <= 5; ++frame) {
-    host.send(ask(frame, 2.5 * frame), service.address());
+    host.send(ask(frame, 2.5 * frame), service.address("udp "));
     const HatHotResponse answer = answerIn(host.receive(hangs));
     EXPECT_TRUE(answer.valid);
     // Half a millimetre of place (PlanePlacer), on slopes below 1.
@@ -117,9 +58,9 @@ TEST(ServeCommand, AnswersAHostFromTheScenesSeaAtTheHostsTimeAndEndsWithZero) {
 
 TEST(ServeCommand, EndsWithZeroWhenInterruptedUnderLoad) {
   const TempFolder folder;
-  Service service(writeScene(folder).string(), {"--cigi", "127.0.0.1:0", "--clock", "x4"});
+  ServedChild service(writeScene(folder).string(), {"--cigi", "127.0.0.1:0", "--clock", "x4"});
   UdpSocket host;
-  const SocketAddress address = service.address();
+  const SocketAddress address = service.address("udp ");
   std::atomic<bool> ending = false;
   std::thread load([&] {
     for (std::uint32_t frame = 1; !ending; ++frame) {
@@ -136,6 +77,57 @@ TEST(ServeCommand, EndsWithZeroWhenInterruptedUnderLoad) {
   load.join();
 }
 
+TEST(ServeCommand, LogsOneJsonObjectALineWhereAsked) {
+  const TempFolder folder;
+  ServedChild service(writeScene(folder).string(), {"--cigi", "0", "--log-format", "json"});
+  EXPECT_EQ(service.end(SIGTERM), 0);
+  std::istringstream lines(service.text());
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const auto message = nlohmann::json::parse(line);
+    EXPECT_EQ(message["level"], "info");
+    EXPECT_EQ(message["time"].get<std::string>().size(), 24u);
+    EXPECT_FALSE(message["message"].get<std::string>().empty());
+  }
+  EXPECT_EQ(count, 3);
+}
+
+// The wave's own height tells which scene is served.
+TEST(ServeCommandHard, ASceneIsReloadedUnderLoadAndABadOneChangesNothing) {
+  const TempFolder folder;
+  const std::string file = writeScene(folder).string();
+  ServedChild service(file, {"--cigi", "0"});
+  UdpSocket host;
+  const SocketAddress address = service.address("udp ");
+  std::uint32_t frame = 0;
+  const auto height = [&] {
+    host.send(ask(++frame, 2.5), address);
+    return answerIn(host.receive(hangs)).height;
+  };
+  const double before = height();
+  std::atomic<bool> ending = false;
+  std::thread load([&] {
+    UdpSocket other;
+    for (std::uint32_t number = 1; !ending; ++number) {
+      other.send(ask(number, 0.0), address);
+      EXPECT_FALSE(other.receive(hangs).empty());
+    }
+  });
+  folder.write("scene.yaml", test::sceneText({{"hm0_m: 1.12", "hm0_m: -1"}}));
+  service.send(SIGHUP);
+  service.awaitText("the scene stays as it was");
+  service.awaitText("hm0_m");
+  EXPECT_EQ(height(), before);
+  folder.write("scene.yaml", test::sceneText({{"hm0_m: 1.12", "hm0_m: 2.24"}}));
+  service.send(SIGHUP);
+  service.awaitText("is loaded anew");
+  // Twice the height: the same octaves of twice the amplitude, in single precision.
+  EXPECT_NEAR(height(), 2.0 * before, 1e-3);
+  ending = true;
+  load.join();
+  EXPECT_EQ(service.end(SIGTERM), 0);
+}
+
 TEST(ServeCommandHard, BadOptionsAndAPortInUseEndWithTwoAndAMessage) {
   const TempFolder folder;
   const std::string scene = writeScene(folder).string();
@@ -149,6 +141,13 @@ TEST(ServeCommandHard, BadOptionsAndAPortInUseEndWithTwoAndAMessage) {
   };
   refused({}, "nothing to serve");
   refused({"--cigi", taken}, taken);
+  const asio::ip::tcp::endpoint any(asio::ip::address_v4::loopback(), 0);
+  asio::io_context context;
+  asio::ip::tcp::acceptor http(context, any);
+  const std::string inUse = "127.0.0.1:" + std::to_string(http.local_endpoint().port());
+  refused({"--cigi", "0", "--metrics", inUse}, inUse);
+  refused({"--metrics", "70000"}, "--metrics: '70000' is not allowed");
+  refused({"--cigi", "0", "--log-format", "xml"}, "--log-format: 'xml' is not allowed");
   refused({"--cigi", "70000"}, "--cigi: '70000' is not allowed");
   refused({"--cigi", "0", "--clock", "x0"}, "--clock: 'x0' is not allowed");
   refused({"--cigi", "0", "--cigi-pacing", "fast"}, "--cigi-pacing: 'fast' is not allowed");

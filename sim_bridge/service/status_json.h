@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "sim_bridge/service/service_status.h"
+
+namespace seaway::bridge {
+
+/// "on", "idle" or "off".
+const char* effectStateName(EffectState state);
+
+/// A service's figures as JSON; units are in the keys, what is not known is null.
+std::string statusJson(const ServiceFigures& figures);
+
+}  // namespace seaway::bridge
