@@ -10,7 +10,8 @@
  *
  * Objects are opaque and made by a function that writes a handle, NULL where it fails. To destroy
  * NULL does nothing. A handle that has been destroyed must not be used again, nor one while
- * another thread destroys it: that is the caller's error and is not detected.
+ * another thread destroys it: that is the caller's error and is not detected. The library stays
+ * loaded once it is: dlclose does nothing.
  *
  * Structures begin with their size, `struct_size`, by which later versions tell who calls. Make them
  * with `seaway_..._default()`, or, where a compiler of C is not at hand, `seaway_..._init(&it,
@@ -65,9 +66,9 @@ typedef enum seaway_status {
   SEAWAY_FAILED = 7            /* anything else: a fault of Seaway or of the machine */
 } seaway_status;
 
-/* Name of a status, such as "bad input"; "unknown status" for any other number. Thread-safe; the
- * text is constant. */
-SEAWAY_API const char* seaway_status_name(seaway_status status);
+/* Name of a seaway_status, such as "bad input"; "unknown status" for any other number. Thread-safe;
+ * the text is constant. */
+SEAWAY_API const char* seaway_status_name(int status);
 
 /* Message of the calling thread's last call that failed; "" before the first. Never NULL. The text
  * stays until another call fails on this thread; 4095 bytes at the most. Thread-safe. */
@@ -311,11 +312,12 @@ SEAWAY_API seaway_status seaway_sea_vessel_pose(const seaway_sea* sea, size_t ve
                                                 seaway_pose* pose);
 
 /* A host places a vessel at `time` (s): from now on it neither sails its course nor rocks of its
- * own, but is where the host says, at times between poses on the straight line between them, and
- * later than the last reckoned on for a second at most. Its wake, and what else hulls leave, follow
- * as the sea is stepped: place it at the time to which you step next, then step. The first pose,
- * and one faster than 100 m/s from the last, put it there without a wake. Poses must come at rising
- * times, none before the sea's time. Thread-safe.
+ * own, but is where the host says: between two poses on the straight line between them, after the
+ * last reckoned on for a second, then at rest. Its wake and its trail follow as the sea is stepped:
+ * place it at the time to which you step next, then step. A pose farther from the last than
+ * 100 m/s would take it puts it there without a wake on the way. Poses must come at rising times,
+ * none before the sea's time. A host may sail where it likes: running aground is its own affair.
+ * Thread-safe.
  * SEAWAY_BAD_ARGUMENT: a number that is not finite, a time that is not later, a place out of range. */
 SEAWAY_API seaway_status seaway_sea_place_vessel(seaway_sea* sea, size_t vessel, double time,
                                                  const seaway_pose* pose);

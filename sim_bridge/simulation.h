@@ -41,6 +41,10 @@ class Simulation {
   /// From now on wakes are there for these too; by default vessels alone call for them.
   void attend(Audience audience, EffectLedger* ledger = nullptr);
 
+  /// Vessel `index` is where a host says from now on, at `t` at `pose` (HostedVessel). False, and
+  /// nothing changes, where `t` is before time() or not later than the host's last pose.
+  bool place(std::size_t index, double t, const VesselPose& pose);
+
   double time() const { return time_; }
   double nextTime() const;  ///< after one more step, s
 
@@ -65,6 +69,7 @@ class Simulation {
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
+  void countWater();
   void moveFree(double t, EffectLedger* ledger);
   void movePrescribed(double t, EffectLedger* ledger);
   void moveTo(double t, EffectLedger* ledger);

@@ -32,7 +32,7 @@ extern "C" {
 
 const char* seaway_version(void) { return SEAWAY_VERSION; }
 
-const char* seaway_status_name(seaway_status status) {
+const char* seaway_status_name(int status) {
   switch (status) {
     case SEAWAY_OK:
       return "ok";

@@ -114,7 +114,7 @@ void CoupledSea::listen(std::vector<WakeListener> places) {
 
 bool CoupledSea::place(std::size_t vessel, double t, const VesselPose& pose) {
   bool placed = false;
-  (void)vessel, (void)t, (void)pose;
+  change([&] { placed = simulation_->place(vessel, t, pose); });
   return placed;
 }
 

@@ -17,23 +17,47 @@ void widen(const Floats& from, std::size_t first, std::size_t count, double* to)
   if (to) std::copy_n(from.data(), count, to + first);
 }
 
-/// What is left to say of points [first, first + count): as WaveField::sample has it.
-void tellOf(const WaveField& waves, double t, const seaway_points& points, std::size_t first,
-            std::size_t count, double error, const seaway_samples& out) noexcept {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto kept =
-      static_cast<std::uint32_t>(error > 0.0 ? SampleStatus::truncated : SampleStatus::ok);
-  for (std::size_t i = first; i < first + count; ++i) {
-    const glm::dvec2 point(points.first[i], points.second[i]);
-    const bool served = WaveField::serves(point, t);
-    if (out.error) out.error[i] = served ? error : nan;
-    if (out.bound) out.bound[i] = served ? waves.bound(glm::length(point)) : nan;
-    if (!out.status) continue;
-    const bool finite = std::isfinite(t) && std::isfinite(point.x) && std::isfinite(point.y);
-    const SampleStatus unserved = finite ? SampleStatus::outOfRange : SampleStatus::notFinite;
-    out.status[i] = served ? kept : static_cast<std::uint32_t>(unserved);
+/// Points [first, first + count) of a call, and what every one of them that is served is told.
+struct Told {
+  const seaway_points& points;
+  std::size_t first, count;
+  double error;
+  const seaway_samples& out;
+
+  glm::dvec2 point(std::size_t i) const { return {points.first[i], points.second[i]}; }
+
+  bool allServed(double t) const noexcept {
+    bool all = WaveField::serves({0.0, 0.0}, t);
+    for (std::size_t i = first; i < first + count; ++i) {
+      all &= (std::abs(points.first[i]) <= WaveField::farthest) &
+             (std::abs(points.second[i]) <= WaveField::farthest);
+    }
+    return all;
   }
-}
+
+  void tellAll(const WaveField& waves) const noexcept {
+    const auto status = error > 0.0 ? SampleStatus::truncated : SampleStatus::ok;
+    if (out.error) std::fill_n(out.error + first, count, error);
+    if (out.status) std::fill_n(out.status + first, count, static_cast<std::uint32_t>(status));
+    if (!out.bound) return;
+    for (std::size_t i = first; i < first + count; ++i) {
+      out.bound[i] = waves.bound(glm::length(point(i)));
+    }
+  }
+
+  /// Of the others, as WaveField::sample has it.
+  void tellUnserved(double t) const noexcept {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (WaveField::serves(point(i), t)) continue;
+      const bool finite = std::isfinite(t) && std::isfinite(point(i).x) && std::isfinite(point(i).y);
+      const auto status = finite ? SampleStatus::outOfRange : SampleStatus::notFinite;
+      if (out.error) out.error[i] = nan;
+      if (out.bound) out.bound[i] = nan;
+      if (out.status) out.status[i] = static_cast<std::uint32_t>(status);
+    }
+  }
+};
 
 }  // namespace
 
@@ -68,9 +92,9 @@ void samplePlain(const SurfaceAtTime& water, const seaway_points& points, std::s
       widen(slopeY, first, count, out.slope_north);
       widen(rate, first, count, out.vertical_velocity);
     }
-    if (out.error || out.bound || out.status) {
-      tellOf(field, water.time(), points, first, count, error, out);
-    }
+    const Told told{points, first, count, error, out};
+    told.tellAll(field);
+    if (!told.allServed(water.time())) told.tellUnserved(water.time());
   }
 }
 
