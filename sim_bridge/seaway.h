@@ -13,8 +13,8 @@
  * another thread destroys it: that is the caller's error and is not detected. The library stays
  * loaded once it is: dlclose does nothing.
  *
- * Structures begin with their size, `struct_size`, by which later versions tell who calls. Make them
- * with `seaway_..._default()`, or, where a compiler of C is not at hand, `seaway_..._init(&it,
+ * Structures begin with their size, `struct_size`, by which later versions tell who calls. Make
+ * them with `seaway_..._default()`, or, where a compiler of C is not at hand, `seaway_..._init(&it,
  * size)`. A size that this version does not know is refused with SEAWAY_BAD_STRUCT.
  *
  * Errors. Functions that return seaway_status return SEAWAY_OK or say what is wrong;
@@ -45,7 +45,7 @@ extern "C" {
 #define SEAWAY_API
 #endif
 
-/* ---- version and errors ------------------------------------------------------------------- */
+/* ---- version and errors ---------------------------------------------------------------------- */
 
 /* Version of this header. */
 #define SEAWAY_VERSION_MAJOR 0
@@ -74,7 +74,7 @@ SEAWAY_API const char* seaway_status_name(int status);
  * stays until another call fails on this thread; 4095 bytes at the most. Thread-safe. */
 SEAWAY_API const char* seaway_last_error(void);
 
-/* ---- a sea ---------------------------------------------------------------------------------- */
+/* ---- a sea ----------------------------------------------------------------------------------- */
 
 /* A scene's sea with its vessels and cameras, at a time of its own from which it is stepped on. */
 typedef struct seaway_sea seaway_sea;
@@ -118,7 +118,7 @@ SEAWAY_API seaway_status seaway_sea_step_to(seaway_sea* sea, double time);
  * forgotten, listeners stay. On failure the sea is as before. Thread-safe. */
 SEAWAY_API seaway_status seaway_sea_restart(seaway_sea* sea, double time);
 
-/* ---- the water -------------------------------------------------------------------------------- */
+/* ---- the water ------------------------------------------------------------------------------- */
 
 typedef enum seaway_frame {
   SEAWAY_SEA_PLANE = 0, /* first: east, second: north, m; vectors are along the plane's axes */
@@ -190,7 +190,7 @@ SEAWAY_API void seaway_samples_init(seaway_samples* samples, size_t size);
  * the sea's own time, known from the step before it to the step after.
  *
  * Thread-safe. In the sea plane it allocates nothing once a thread has made its first call
- * (`parallel` 0). Costs 1 to 2 us on top of evaluation for 1000 points. */
+ * (`parallel` 0). */
 SEAWAY_API seaway_status seaway_sea_sample(const seaway_sea* sea, double time,
                                            const seaway_points* points,
                                            const seaway_sample_options* options,
@@ -242,7 +242,7 @@ SEAWAY_API seaway_status seaway_sea_cast_rays(const seaway_sea* sea, double time
                                               const seaway_ray_options* options,
                                               double* distances);
 
-/* ---- places ----------------------------------------------------------------------------------- */
+/* ---- places ---------------------------------------------------------------------------------- */
 
 /* `count` geodetic positions (degrees) in the sea plane, m: azimuthal equidistant about the anchor
  * on WGS84, within 1 mm of the geodesic. NaN for what is not finite or farther than 500 km.
@@ -281,7 +281,7 @@ typedef struct seaway_listener {
 SEAWAY_API seaway_status seaway_sea_listen(seaway_sea* sea, size_t count,
                                            const seaway_listener* listeners);
 
-/* ---- vessels ---------------------------------------------------------------------------------- */
+/* ---- vessels --------------------------------------------------------------------------------- */
 
 /* Number of the scene's vessels, which never changes; 0 for NULL. Thread-safe. */
 SEAWAY_API size_t seaway_sea_vessel_count(const seaway_sea* sea);
@@ -318,11 +318,12 @@ SEAWAY_API seaway_status seaway_sea_vessel_pose(const seaway_sea* sea, size_t ve
  * 100 m/s would take it puts it there without a wake on the way. Poses must come at rising times,
  * none before the sea's time. A host may sail where it likes: running aground is its own affair.
  * Thread-safe.
- * SEAWAY_BAD_ARGUMENT: a number that is not finite, a time that is not later, a place out of range. */
+ * SEAWAY_BAD_ARGUMENT: a number that is not finite, a time that is not later, a place out of
+ * range. */
 SEAWAY_API seaway_status seaway_sea_place_vessel(seaway_sea* sea, size_t vessel, double time,
                                                  const seaway_pose* pose);
 
-/* ---- loads on hulls ----------------------------------------------------------------------------- */
+/* ---- loads on hulls -------------------------------------------------------------------------- */
 
 /* A hull's mesh and mass, ready for loads. Immutable; belongs to no sea. */
 typedef struct seaway_hull seaway_hull;
@@ -438,7 +439,7 @@ SEAWAY_API seaway_status seaway_sea_hull_loads(const seaway_sea* sea, const seaw
                                                const seaway_load_options* options,
                                                seaway_loads* loads);
 
-/* ---- pictures ------------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 /* Number and names of the scene's cameras; as for vessels. */
 SEAWAY_API size_t seaway_sea_camera_count(const seaway_sea* sea);
@@ -497,7 +498,7 @@ SEAWAY_API seaway_status seaway_sea_render(seaway_sea* sea, const char* camera,
                                            const seaway_render_options* options,
                                            const seaway_image* image);
 
-/* ---- description -------------------------------------------------------------------------------- */
+/* ---- description ----------------------------------------------------------------------------- */
 
 /* The sea in JSON: version, time, anchor, sea state asked and realised, octaves, vessels, cameras,
  * effects with what they cost at the last step and picture. UTF-8, ended by a zero. `*needed` gets
@@ -507,7 +508,7 @@ SEAWAY_API seaway_status seaway_sea_render(seaway_sea* sea, const char* camera,
 SEAWAY_API seaway_status seaway_sea_describe(const seaway_sea* sea, char* buffer, size_t size,
                                              size_t* needed);
 
-/* ---- structures with their defaults --------------------------------------------------------------- */
+/* ---- structures with their defaults ---------------------------------------------------------- */
 
 /* seaway_T_default() for every structure T above. Inline, so that each caller's own size counts. */
 #define SEAWAY_DEFAULT(T)                   \

@@ -85,7 +85,8 @@ void Simulation::countWater() {
   std::size_t count = 0;
   freeCount_ = 0;
   for (const Vessel& vessel : vessels_) {
-    if (const PrescribedVessel* prescribed = vessel.prescribed()) count += prescribed->sampleCount();
+    if (const PrescribedVessel* prescribed = vessel.prescribed())
+      count += prescribed->sampleCount();
     if (vessel.free()) ++freeCount_;
   }
   points_.resize(count);

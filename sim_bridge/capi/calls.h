@@ -9,8 +9,8 @@
 #include "sim_bridge/seaway.h"
 #include "surface/input_error.h"
 
-/// What every function of the C interface shares: no exception crosses it, structures are of a known
-/// size, faults leave a message.
+/// What every function of the C interface shares: no exception crosses it, structures are of a
+/// known size, faults leave a message.
 namespace seaway::bridge::capi {
 
 /// A fault with a status of its own; InputError is for what scenes and files hold.

@@ -48,8 +48,8 @@ CoupledSea::CoupledSea(Scene scene, double startTime)
 }
 
 void CoupledSea::publish() {
-  auto moment = std::make_shared<Moment>(
-      Moment{simulation_->time(), frozen(simulation_->surface()), {}, {}});
+  auto moment =
+      std::make_shared<Moment>(Moment{simulation_->time(), frozen(simulation_->surface()), {}, {}});
   for (std::size_t i = 0; i < scene_.vessels.size(); ++i) {
     moment->poses.push_back(simulation_->vessels()[i].pose());
     moment->ownWakes.push_back(simulation_->ownWake(i));

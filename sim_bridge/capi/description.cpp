@@ -96,8 +96,7 @@ Json effectsJson(const std::vector<EffectReport>& step, const std::vector<Effect
     const EffectReport& ofStep = i < step.size() ? step[i] : none;
     const EffectReport& ofFrame = i < frame.size() ? frame[i] : none;
     const bool frameSpeaks = ofFrame.state == EffectState::on || i >= step.size();
-    const EffectReport& chosen =
-        frameSpeaks && ofStep.state != EffectState::on ? ofFrame : ofStep;
+    const EffectReport& chosen = frameSpeaks && ofStep.state != EffectState::on ? ofFrame : ofStep;
     list.push_back({{"name", effectDescriptions()[i].name},
                     {"state", stateName(chosen.state)},
                     {"reason", chosen.reason},
@@ -114,18 +113,17 @@ std::string CoupledSea::description() const {
   const std::lock_guard lock(changing_);
   if (hm0Realised_ < 0.0) hm0Realised_ = realisedSignificantWaveHeight(sea_.surface);
   const std::shared_ptr<const Moment> moment = now();
-  const Json description{
-      {"version", SEAWAY_VERSION},
-      {"scene", scene_.file.string()},
-      {"time_s", moment->time},
-      {"step_s", scene_.run.step},
-      {"anchor",
-       {{"latitude_deg", scene_.sea.anchor.latitude_deg},
-        {"longitude_deg", scene_.sea.anchor.longitude_deg}}},
-      {"sea", seaJson(scene_, sea_, hm0Realised_)},
-      {"vessels", vesselsJson(scene_, *moment)},
-      {"cameras", camerasJson(scene_)},
-      {"effects", effectsJson(stepEffects_, frameEffects_)}};
+  const Json description{{"version", SEAWAY_VERSION},
+                         {"scene", scene_.file.string()},
+                         {"time_s", moment->time},
+                         {"step_s", scene_.run.step},
+                         {"anchor",
+                          {{"latitude_deg", scene_.sea.anchor.latitude_deg},
+                           {"longitude_deg", scene_.sea.anchor.longitude_deg}}},
+                         {"sea", seaJson(scene_, sea_, hm0Realised_)},
+                         {"vessels", vesselsJson(scene_, *moment)},
+                         {"cameras", camerasJson(scene_)},
+                         {"effects", effectsJson(stepEffects_, frameEffects_)}};
   return description.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -1,5 +1,4 @@
-#include "surface/water_kinematics.h"
-
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "sim_bridge/capi/handles.h"
@@ -7,14 +6,23 @@
 #include "sim_bridge/capi/sample_options.h"
 #include "sim_bridge/output/number_text.h"
 #include "surface/surface_ray.h"
-#include <glm/geometric.hpp>
+#include "surface/water_kinematics.h"
 
 namespace seaway::bridge::capi {
 namespace {
 
-constexpr seaway_motions noMotions{
-    sizeof(seaway_motions), 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-    nullptr, nullptr, nullptr};
+constexpr seaway_motions noMotions{sizeof(seaway_motions),
+                                   0,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
 constexpr seaway_ray_options rayDefaults{sizeof(seaway_ray_options), 0, 1e-4, 0.1, 100e3};
 
 void put(double* out, std::size_t row, double value) {

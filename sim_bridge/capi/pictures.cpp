@@ -30,10 +30,10 @@ void requireWithin(const char* name, double value, double least, double most) {
 
 void requireMount(const Scene& scene, const std::string& mount) {
   const auto& vessels = scene.vessels;
-  const bool known =
-      std::any_of(vessels.begin(), vessels.end(),
-                  [&](const SceneVessel& vessel) { return vessel.name == mount; });
-  if (!known) throw CallError(SEAWAY_NOT_FOUND, "camera.mount: no vessel is called '" + mount + "'");
+  const bool known = std::any_of(vessels.begin(), vessels.end(),
+                                 [&](const SceneVessel& vessel) { return vessel.name == mount; });
+  if (!known)
+    throw CallError(SEAWAY_NOT_FOUND, "camera.mount: no vessel is called '" + mount + "'");
 }
 
 SceneCamera cameraOf(const CoupledSea& sea, const seaway_camera& given) {
@@ -125,8 +125,7 @@ const char* seaway_sea_camera_name(const seaway_sea* sea, size_t camera) {
   return seaOf(sea).scene().cameras[camera].name.c_str();
 }
 
-seaway_status seaway_sea_picture_size(const seaway_sea* handle, uint32_t* width,
-                                      uint32_t* height) {
+seaway_status seaway_sea_picture_size(const seaway_sea* handle, uint32_t* width, uint32_t* height) {
   return guarded([&] {
     const CoupledSea& sea = seaOf(handle);
     require(width, "width");

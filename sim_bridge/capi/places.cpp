@@ -31,9 +31,9 @@ seaway_status seaway_sea_plane_from_geodetic(const seaway_sea* handle, size_t co
       east[i] = point.position.x;
       north[i] = point.position.y;
       if (!convergence_deg) continue;
-      convergence_deg[i] = std::isnan(point.position.x) ? unknown
-                                                        : seaway::degreesFromRadians(std::atan2(
-                                                              point.turn.y, point.turn.x));
+      convergence_deg[i] = std::isnan(point.position.x)
+                               ? unknown
+                               : seaway::degreesFromRadians(std::atan2(point.turn.y, point.turn.x));
     }
   });
 }
@@ -61,8 +61,7 @@ seaway_status seaway_sea_geodetic_from_plane(const seaway_sea* handle, size_t co
 }
 
 seaway_status seaway_sea_still_water_level(const seaway_sea* handle, size_t count,
-                                           const double* latitude_deg,
-                                           const double* longitude_deg,
+                                           const double* latitude_deg, const double* longitude_deg,
                                            double* ellipsoidal_height) {
   return guarded([&] {
     const CoupledSea& sea = seaOf(handle);

@@ -18,9 +18,9 @@ inline constexpr std::size_t pointsPerBlock = 256;
 /// A part of a caller's points in the sea plane.
 struct PointBlock {
   std::size_t count = 0;
-  std::size_t first = 0;     ///< the caller's number of the first; without a mask the others follow
-  bool everyPoint = true;    ///< no mask: `rows` is not filled
-  bool geodetic = false;     ///< `placed` is filled
+  std::size_t first = 0;   ///< the caller's number of the first; without a mask the others follow
+  bool everyPoint = true;  ///< no mask: `rows` is not filled
+  bool geodetic = false;   ///< `placed` is filled
   std::array<glm::dvec2, pointsPerBlock> points;
   std::array<std::size_t, pointsPerBlock> rows;
   std::array<PlacedPoint, pointsPerBlock> placed;

@@ -21,11 +21,20 @@ static_assert(SEAWAY_SAMPLE_WAKE_OUT_OF_TIME == static_cast<unsigned>(SampleStat
 static_assert(SEAWAY_SAMPLE_WAKE_PARTIAL == static_cast<unsigned>(SampleStatus::wakePartial));
 static_assert(SEAWAY_SAMPLE_DRY == static_cast<unsigned>(SampleStatus::dry));
 
-constexpr seaway_points pointDefaults{sizeof(seaway_points), SEAWAY_SEA_PLANE, 0, nullptr, nullptr,
-                                      nullptr};
-constexpr seaway_samples noSamples{
-    sizeof(seaway_samples), 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-    nullptr, nullptr, nullptr};
+constexpr seaway_points pointDefaults{
+    sizeof(seaway_points), SEAWAY_SEA_PLANE, 0, nullptr, nullptr, nullptr};
+constexpr seaway_samples noSamples{sizeof(seaway_samples),
+                                   0,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
 
 // Below this a batch is done before other threads have woken.
 constexpr std::size_t fewestForThreads = 4096;

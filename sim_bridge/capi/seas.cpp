@@ -85,8 +85,8 @@ seaway_status seaway_sea_step(seaway_sea* sea) {
 seaway_status seaway_sea_step_to(seaway_sea* sea, double time) {
   return guarded([&] {
     CoupledSea& stepped = seaOf(sea);
-    requireThat(std::isfinite(time) && time <= 1e7, "time is " + numberText(time) +
-                                                        " s; must be finite and at most 1e7");
+    requireThat(std::isfinite(time) && time <= 1e7,
+                "time is " + numberText(time) + " s; must be finite and at most 1e7");
     stepped.stepTo(time);
   });
 }
@@ -106,8 +106,8 @@ seaway_status seaway_sea_listen(seaway_sea* sea, size_t count, const seaway_list
     std::vector<seaway::WakeListener> places;
     for (size_t i = 0; i < count; ++i) {
       const seaway_listener& given = listeners[i];
-      const bool sound = std::isfinite(given.east + given.north + given.radius) &&
-                         given.radius >= 0.0;
+      const bool sound =
+          std::isfinite(given.east + given.north + given.radius) && given.radius >= 0.0;
       requireThat(sound, [&] {
         return "listeners[" + std::to_string(i) +
                "]: east, north and radius must be finite, radius >= 0";

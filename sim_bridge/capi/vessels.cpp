@@ -23,11 +23,10 @@ void write(const VesselPose& pose, const Geodesy& geodesy, seaway_pose& out) {
 VesselPose poseOf(const seaway_pose& given, const Geodesy& geodesy) {
   VesselPose pose;
   SeaPlanePoint point;
-  requireThat(given.frame == SEAWAY_SEA_PLANE || given.frame == SEAWAY_GEODETIC,
-              [&] {
-                return "pose.frame is " + std::to_string(given.frame) +
-                       "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)";
-              });
+  requireThat(given.frame == SEAWAY_SEA_PLANE || given.frame == SEAWAY_GEODETIC, [&] {
+    return "pose.frame is " + std::to_string(given.frame) +
+           "; must be SEAWAY_SEA_PLANE (0) or SEAWAY_GEODETIC (1)";
+  });
   if (given.frame == SEAWAY_GEODETIC) {
     point = geodesy.seaPlaneFromGeodetic(given.latitude_deg, given.longitude_deg);
   } else if (std::isfinite(given.east + given.north)) {

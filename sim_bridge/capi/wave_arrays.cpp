@@ -50,7 +50,8 @@ struct Told {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = first; i < first + count; ++i) {
       if (WaveField::serves(point(i), t)) continue;
-      const bool finite = std::isfinite(t) && std::isfinite(point(i).x) && std::isfinite(point(i).y);
+      const bool finite =
+          std::isfinite(t) && std::isfinite(point(i).x) && std::isfinite(point(i).y);
       const auto status = finite ? SampleStatus::outOfRange : SampleStatus::notFinite;
       if (out.error) out.error[i] = nan;
       if (out.bound) out.bound[i] = nan;
@@ -69,12 +70,12 @@ bool isPlain(const SurfaceAtTime& water, const seaway_points& points,
 }
 
 void samplePlain(const SurfaceAtTime& water, const seaway_points& points, std::size_t first,
-                 std::size_t end, const SampleOptions& options, const seaway_samples& out) noexcept {
+                 std::size_t end, const SampleOptions& options,
+                 const seaway_samples& out) noexcept {
   const FieldAtTime& waves = water.waves();
   const WaveField& field = waves.field();
-  const double error = options.tolerance > 0.0
-                           ? field.leftOut(field.octavesFor(options.tolerance))
-                           : field.leftOut(field.octaves().size());
+  const double error = options.tolerance > 0.0 ? field.leftOut(field.octavesFor(options.tolerance))
+                                               : field.leftOut(field.octaves().size());
   Floats height, slopeX, slopeY, rate;
   for (; first < end; first += pointsPerBlock) {
     const std::size_t count = std::min(pointsPerBlock, end - first);

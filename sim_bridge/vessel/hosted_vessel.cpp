@@ -20,14 +20,14 @@ constexpr std::size_t mostPoses = 4096;
 VesselPose between(const VesselPose& a, const VesselPose& b, double u) {
   return {glm::mix(a.position, b.position, u),
           a.direction + u * std::remainder(b.direction - a.direction, 2.0 * pi),
-          glm::mix(a.height, b.height, u), a.pitch + u * std::remainder(b.pitch - a.pitch, 2.0 * pi),
+          glm::mix(a.height, b.height, u),
+          a.pitch + u * std::remainder(b.pitch - a.pitch, 2.0 * pi),
           a.roll + u * std::remainder(b.roll - a.roll, 2.0 * pi)};
 }
 
 }  // namespace
 
-HostedVessel::HostedVessel(const BoxHull& hull, double t, const VesselPose& now,
-                           VesselTrack before)
+HostedVessel::HostedVessel(const BoxHull& hull, double t, const VesselPose& now, VesselTrack before)
     : hull_(hull), columns_(hullColumns(hull)), time_(t), track_(std::move(before)) {
   poses_.push_back({t, now});
   submergedVolume_ = hull_.mass() / seaWaterDensity;
@@ -91,8 +91,7 @@ void HostedVessel::readWater(const WaterSurface& water, std::uint32_t ownWake) {
   const double keel = -hull_.draft();
   points_[0] = now.position;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    points_[i + 1] =
-        now.position + glm::dvec2(worldFromBody * glm::dvec3(columns_[i].place, 0.0));
+    points_[i + 1] = now.position + glm::dvec2(worldFromBody * glm::dvec3(columns_[i].place, 0.0));
   }
   water.sample(points_, time_, samples_, {.derivatives = false, .excludeVessel = ownWake});
   waterHeight_ = samples_[0].height;

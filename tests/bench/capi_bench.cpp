@@ -1,6 +1,6 @@
-// What the C interface costs on top of the library: 1000 points of a sea of 12 octaves, in turns with
-// the C++ calls in one process. `--table` prints medians and 99th percentiles of single calls, and the
-// median difference of neighbours; without it Google Benchmark times them.
+// What the C interface costs on top of the library: 1000 points of a sea of 12 octaves, in turns
+// with the C++ calls in one process. `--table` prints medians and 99th percentiles of single calls,
+// and the median difference of neighbours; without it Google Benchmark times them.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ BENCHMARK(throughC)->Arg(1)->Arg(1000);
 double microseconds(const auto& call) {
   const auto start = std::chrono::steady_clock::now();
   call();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 double percentile(std::vector<double> values, double part) {

@@ -174,8 +174,8 @@ TEST(CapiCallsHard, RefuseOptionsOutOfRange) {
 }
 
 TEST(CapiCallsHard, RefuseTextsThatAreNoScene) {
-  for (const char* yaml : {"", "sea: [", "- a\n- b\n", "sea: {}", "\xff\xfe", "sea: 7\n---\nsea: 8\n",
-                           "vessels: [{name: a, model: none.yaml}]"}) {
+  for (const char* yaml : {"", "sea: [", "- a\n- b\n", "sea: {}", "\xff\xfe",
+                           "sea: 7\n---\nsea: 8\n", "vessels: [{name: a, model: none.yaml}]"}) {
     seaway_sea* sea = reinterpret_cast<seaway_sea*>(1);
     EXPECT_EQ(seaway_sea_from_text(yaml, nullptr, nullptr, &sea), SEAWAY_BAD_INPUT) << yaml;
     EXPECT_EQ(sea, nullptr);

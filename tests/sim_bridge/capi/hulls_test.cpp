@@ -47,9 +47,9 @@ TEST(CapiHulls, FeelTheBitsOfTheLibrarysLoads) {
   settings.mass = 3e3;
   const HullModel model(wigleyMesh(10, 1, 0.625, 0.4), settings);
   LoadScratch scratch;
-  const HullLoads expected = seaway::loads(
-      model, {{0, 0, -0.1}, {1, 0, 0, 0}, {2, 0, 0}, {0, 0.05, 0}}, truth.surface, 6.0, scratch,
-      {.ownWake = 0, .wind = glm::dvec2(-8.0, 1.0)});
+  const HullLoads expected =
+      seaway::loads(model, {{0, 0, -0.1}, {1, 0, 0, 0}, {2, 0, 0}, {0, 0.05, 0}}, truth.surface,
+                    6.0, scratch, {.ownWake = 0, .wind = glm::dvec2(-8.0, 1.0)});
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(loads.force[i], expected.total().force[i]);
     EXPECT_EQ(loads.moment[i], expected.total().moment[i]);

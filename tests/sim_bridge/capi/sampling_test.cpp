@@ -23,7 +23,8 @@ const seaway_sea* openWater() {
 
 std::vector<glm::dvec2> placesOf(const Line& line) {
   std::vector<glm::dvec2> places;
-  for (std::size_t i = 0; i < line.east.size(); ++i) places.emplace_back(line.east[i], line.north[i]);
+  for (std::size_t i = 0; i < line.east.size(); ++i)
+    places.emplace_back(line.east[i], line.north[i]);
   return places;
 }
 
@@ -36,9 +37,10 @@ struct Answers {
   }
   seaway_samples samples() {
     seaway_samples out = seaway_samples_default();
-    double** const pointers[] = {&out.height,        &out.slope_east,    &out.slope_north,
-                                 &out.vertical_velocity, &out.orbital_east, &out.orbital_north,
-                                 &out.orbital_up,    &out.error,         &out.bound};
+    double** const pointers[] = {
+        &out.height,       &out.slope_east,    &out.slope_north, &out.vertical_velocity,
+        &out.orbital_east, &out.orbital_north, &out.orbital_up,  &out.error,
+        &out.bound};
     for (std::size_t i = 0; i < 9; ++i) *pointers[i] = fields[i].data();
     out.status = status.data();
     return out;
@@ -55,10 +57,17 @@ TEST(CapiSampling, GivesTheBitsOfTheLibrary) {
   librarysSea().surface.sample(placesOf(line), 12.5, truth, {.orbitalVelocity = true});
   for (std::size_t i = 0; i < 1000; ++i) {
     const SurfaceSample& s = truth[i];
-    const double expected[] = {s.height,           s.slope.x,           s.slope.y,
-                               s.verticalVelocity, s.orbitalVelocity.x, s.orbitalVelocity.y,
-                               s.orbitalVelocity.z, s.error,            s.bound};
-    for (std::size_t k = 0; k < 9; ++k) EXPECT_EQ(answers.fields[k][i], expected[k]) << i << " " << k;
+    const double expected[] = {s.height,
+                               s.slope.x,
+                               s.slope.y,
+                               s.verticalVelocity,
+                               s.orbitalVelocity.x,
+                               s.orbitalVelocity.y,
+                               s.orbitalVelocity.z,
+                               s.error,
+                               s.bound};
+    for (std::size_t k = 0; k < 9; ++k)
+      EXPECT_EQ(answers.fields[k][i], expected[k]) << i << " " << k;
     EXPECT_EQ(answers.status[i], static_cast<std::uint32_t>(s.status));
   }
 }
@@ -80,8 +89,8 @@ TEST(CapiSampling, GivesTheSameBitsWithoutOrbitalVelocity) {
       librarysSea().surface.sample(placesOf(line), t, truth, {.tolerance = tolerance});
       for (std::size_t i = 0; i < 700; ++i) {
         const SurfaceSample& s = truth[i];
-        const double expected[] = {s.height, s.slope.x, s.slope.y, s.verticalVelocity,
-                                   s.error,  s.bound};
+        const double expected[] = {s.height,           s.slope.x, s.slope.y,
+                                   s.verticalVelocity, s.error,   s.bound};
         const double given[] = {answers.fields[0][i], answers.fields[1][i], answers.fields[2][i],
                                 answers.fields[3][i], answers.fields[7][i], answers.fields[8][i]};
         for (std::size_t k = 0; k < 6; ++k) {

@@ -32,9 +32,9 @@ TEST(CapiSea, EveryStatusHasAName) {
 
 TEST(CapiSea, ComesFromAFileAsFromItsText) {
   seaway_sea* made = nullptr;
-  ASSERT_EQ(seaway_sea_from_file(SEAWAY_SOURCE_DIR "/configs/scenes/crossing_wakes.yaml", nullptr,
-                                 &made),
-            SEAWAY_OK)
+  ASSERT_EQ(
+      seaway_sea_from_file(SEAWAY_SOURCE_DIR "/configs/scenes/crossing_wakes.yaml", nullptr, &made),
+      SEAWAY_OK)
       << seaway_last_error();
   const SeaPointer sea(made);
   EXPECT_EQ(seaway_sea_time(sea.get()), 0.0);
@@ -72,9 +72,9 @@ TEST(CapiSea, BeginsAtAStartTime) {
   seaway_sea_options options = seaway_sea_options_default();
   options.start_time = 1.0;
   seaway_sea* made = nullptr;
-  ASSERT_EQ(seaway_sea_from_text(boats.c_str(), SEAWAY_SOURCE_DIR "/configs/scenes", &options,
-                                 &made),
-            SEAWAY_OK);
+  ASSERT_EQ(
+      seaway_sea_from_text(boats.c_str(), SEAWAY_SOURCE_DIR "/configs/scenes", &options, &made),
+      SEAWAY_OK);
   const SeaPointer sea(made);
   EXPECT_DOUBLE_EQ(seaway_sea_time(sea.get()), 1.0);
 }

@@ -133,7 +133,8 @@ TEST(CapiVessels, DoNotFeelTheirOwnWake) {
   options.own_vessel = 2;
   const std::vector<double> others = heightsOf(sea.get(), 6.0, points, &options);
   double difference = 0.0;
-  for (std::size_t i = 0; i < 40; ++i) difference = std::max(difference, std::abs(all[i] - others[i]));
+  for (std::size_t i = 0; i < 40; ++i)
+    difference = std::max(difference, std::abs(all[i] - others[i]));
   EXPECT_GT(difference, 0.05);
 }
 
@@ -146,7 +147,7 @@ TEST(CapiVesselsHard, RefusePosesThatCannotBe) {
   seaway_pose pose = start;
   EXPECT_EQ(place(NAN, pose), SEAWAY_BAD_ARGUMENT);
   EXPECT_EQ(place(-0.1, pose), SEAWAY_BAD_ARGUMENT);  // before the sea's time
-  for (double seaway_pose::* member :
+  for (double seaway_pose::*member :
        {&seaway_pose::east, &seaway_pose::height, &seaway_pose::heading_deg}) {
     pose = start;
     pose.*member = NAN;
