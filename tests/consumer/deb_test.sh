@@ -18,7 +18,7 @@ field() { dpkg-deb --field "$deb" "$1"; }
 [ "$(field Package)" = seaway ]
 [ "$(field Architecture)" = "$(dpkg --print-architecture)" ]
 [ -n "$(field Maintainer)" ] && [ -n "$(field Description)" ]
-for needed in libc6 libstdc++6 libceres libopenvdb libyaml-cpp libtbb; do
+for needed in libc6 libstdc++6 libopenvdb libyaml-cpp libtbb libfftw3; do
   field Depends | grep -q "$needed" || { echo "Depends lacks $needed"; exit 1; }
 done
 
@@ -27,7 +27,7 @@ dpkg-deb --contents "$deb" | awk '{print $6}' >"$work/files.txt"
 for file in ./usr/bin/seaway ./usr/lib/libseaway.so ./usr/lib/libseaway.so.0 ./usr/include/seaway.h \
   ./usr/lib/cmake/Seaway/SeawayConfig.cmake ./usr/lib/pkgconfig/seaway.pc \
   ./usr/share/seaway/scenes/canaveral.yaml ./usr/share/seaway/SCHEMA.md \
-  ./usr/share/doc/seaway/copyright ./usr/share/doc/Seaway/examples/query_height.c; do
+  ./usr/share/doc/seaway/copyright ./usr/share/doc/seaway/examples/query_height.c; do
   grep -qx "$file" "$work/files.txt" || { echo "$file is missing"; cat "$work/files.txt"; exit 1; }
 done
 ! grep -vE '^\./(usr/(bin|lib|include|share)/.*|usr/|)$' "$work/files.txt"
