@@ -55,6 +55,7 @@ cameras:
   - name: mast
     place: {latitude_deg: 51.9795, longitude_deg: 4.05, height_m: 30}
     pitch_deg: -15
+effects: {trail: off}
 run: {size: [64, 48], step_s: 0.02}
 )";
 

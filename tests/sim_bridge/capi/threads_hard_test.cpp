@@ -7,11 +7,15 @@
 namespace seaway::bridge::test {
 namespace {
 
+/// With waves and trails.
 const std::string boatsAtSea = [] {
   std::string scene = boats;
-  const std::string calm = "{calm: {}}";
-  return scene.replace(scene.find(calm), calm.size(),
-                       "{jonswap: {hm0_m: 0.5, tp_s: 4, from_deg: 196, octaves: 8}}");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    scene.replace(scene.find(from), from.size(), to);
+  };
+  replace("{calm: {}}", "{jonswap: {hm0_m: 0.5, tp_s: 4, from_deg: 196, octaves: 8}}");
+  replace("{trail: off}", "{trail: auto}");
+  return scene;
 }();
 
 /// Runs until told to end; counts how often.
