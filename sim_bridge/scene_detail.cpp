@@ -49,6 +49,12 @@ double memoryOf(double life) {
   return -std::log(static_cast<double>(SurfaceLayer::leastCover)) * life;
 }
 
+/// Whether a host has put a vessel elsewhere meanwhile: faster than 100 m/s is no sailing.
+bool leaps(const Vessel& vessel, double from, double to) {
+  return glm::distance(vessel.placeAt(from).position, vessel.placeAt(to).position) >
+         100.0 * (to - from);
+}
+
 bool isUnderWay(const SceneVessel& vessel, const Sea& sea) {
   return vessel.speed != 0.0 || sea.surface.waves().settings().current != glm::dvec2(0.0);
 }
@@ -152,12 +158,29 @@ SurfaceLayer& SceneDetail::layer(LayerKind kind) {
   return **which;
 }
 
+// Vessels that the scene has at rest leave trails once a host moves them.
+void SceneDetail::followHosted(std::span<const Vessel> vessels) {
+  if (isOff(*scene_, Effect::trail)) return;
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    const bool known = std::any_of(trails_.begin(), trails_.end(),
+                                   [=](const Trail& trail) { return trail.vessel == i; });
+    if (!vessels[i].hosted() || known) continue;
+    const SceneVessel& vessel = scene_->vessels[i];
+    trails_.push_back({{vessel.model.hull.length, vessel.model.hull.beam},
+                       courseOf(vessel, sea_->geodesy),
+                       i,
+                       true});
+  }
+}
+
 void SceneDetail::paintStroke(long long stroke, std::span<const Vessel> vessels) {
   const double from = static_cast<double>(stroke) * strokeLength, to = from + strokeLength;
   const glm::dvec2 current = sea_->surface.waves().settings().current;
   for (const Trail& trail : trails_) {
     if (trail.free && vessels.empty() && from >= 0.0) continue;
-    const bool follows = trail.free && !vessels.empty();
+    const bool hosted = !vessels.empty() && vessels[trail.vessel].hosted();
+    const bool follows = (trail.free && !vessels.empty()) || hosted;
+    if (hosted && leaps(vessels[trail.vessel], from, to)) continue;
     const auto poseAt = [&](double t) {
       const CoursePoint place = follows ? vessels[trail.vessel].placeAt(t) : trail.course.at(t);
       return TrailPose{place.position, place.direction, place.velocity - current};
@@ -167,6 +190,7 @@ void SceneDetail::paintStroke(long long stroke, std::span<const Vessel> vessels)
 }
 
 bool SceneDetail::paint(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
+  followHosted(vessels);
   const auto last = static_cast<long long>(std::floor(t / strokeLength));
   const bool trails = !trails_.empty();
   EffectTimer timer(trails ? ledger : nullptr, Effect::trail);

@@ -54,6 +54,7 @@ class SceneDetail {
   void addPatches();
   bool paint(double t, std::span<const Vessel> vessels, EffectLedger* ledger);
   void paintStroke(long long stroke, std::span<const Vessel> vessels);
+  void followHosted(std::span<const Vessel> vessels);
   SurfaceLayer& layer(LayerKind kind);
   bool advancePools(double t, EffectLedger* ledger);
   void report(double t, EffectLedger* ledger) const;

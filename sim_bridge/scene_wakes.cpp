@@ -53,6 +53,16 @@ WakeSystemSettings wakeSettings(const Scene& scene, const Sea& sea) {
   return settings;
 }
 
+namespace {
+
+/// The same of a vessel as it is: a host may move one that the scene has at rest.
+bool makesWavesNow(const SceneVessel& description, const Vessel& vessel, const Sea& sea) {
+  return makesWaves(description, sea) ||
+         (vessel.hosted() && description.model.wake.strength > 0.0);
+}
+
+}  // namespace
+
 struct SceneWakes::Running {
   WakeSystem system;
   WaterSurface surface;
@@ -91,13 +101,14 @@ double SceneWakes::memory() const {
   return longest;
 }
 
-const char* SceneWakes::idleReason() const {
-  const auto& vessels = scene_->vessels;
-  const bool any = std::any_of(vessels.begin(), vessels.end(), [&](const SceneVessel& vessel) {
-    return makesWaves(vessel, *sea_);
-  });
+const char* SceneWakes::idleReason(std::span<const Vessel> vessels) const {
+  const auto& descriptions = scene_->vessels;
+  bool any = false;
+  for (std::size_t i = 0; i < vessels.size(); ++i) {
+    any = any || makesWavesNow(descriptions[i], vessels[i], *sea_);
+  }
   if (!any) return "no vessel is under way";
-  const bool alone = vessels.size() == 1 && !vessels[0].model.wake.feltByItself &&
+  const bool alone = descriptions.size() == 1 && !descriptions[0].model.wake.feltByItself &&
                      audience_.cameras.empty() && audience_.places.empty();
   if (alone && settingOf(*scene_) != EffectSetting::on) return "nobody else is there";
   return nullptr;
@@ -106,23 +117,29 @@ const char* SceneWakes::idleReason() const {
 void SceneWakes::start(double t, std::span<const Vessel> vessels) {
   running_ = std::make_shared<Running>(wakeSettings(*scene_, *sea_), sea_->surface);
   for (std::size_t i = 0; i < vessels.size(); ++i) {
-    const SceneVessel& description = scene_->vessels[i];
     running_->handles.push_back(0);
-    if (!makesWaves(description, *sea_)) continue;
-    const std::uint32_t handle = running_->system.addVessel(wakeFootprint(description.model));
-    running_->handles.back() = handle;
-    // On the steps' own times, so that the log does not depend on when it begins.
-    const double step = wakeCascade(*scene_, description.model.hull).front().step;
-    const double first = std::floor((t - running_->system.memory(handle)) / step) - 1.0;
-    for (double n = first; n * step < t - 1e-3 * step; n += 1.0) {
-      running_->system.record(handle, poseAt(n * step, description, vessels[i]));
-    }
+    if (makesWavesNow(scene_->vessels[i], vessels[i], *sea_)) enter(i, t, vessels[i]);
+  }
+}
+
+void SceneWakes::enter(std::size_t index, double t, const Vessel& vessel) {
+  const SceneVessel& description = scene_->vessels[index];
+  const std::uint32_t handle = running_->system.addVessel(wakeFootprint(description.model));
+  running_->handles[index] = handle;
+  // On the steps' own times, so that the log does not depend on when it begins.
+  const double step = wakeCascade(*scene_, description.model.hull).front().step;
+  const double first = std::floor((t - running_->system.memory(handle)) / step) - 1.0;
+  for (double n = first; n * step < t - 1e-3 * step; n += 1.0) {
+    running_->system.record(handle, poseAt(n * step, description, vessel));
   }
 }
 
 void SceneWakes::record(double t, std::span<const Vessel> vessels) {
   for (std::size_t i = 0; i < vessels.size(); ++i) {
-    if (running_->handles[i] == 0) continue;
+    if (running_->handles[i] == 0) {
+      if (!makesWavesNow(scene_->vessels[i], vessels[i], *sea_)) continue;
+      enter(i, t, vessels[i]);  // a host sails it since a while
+    }
     running_->system.record(running_->handles[i], poseAt(t, scene_->vessels[i], vessels[i]));
   }
 }
@@ -153,7 +170,7 @@ std::vector<WakeListener> SceneWakes::listeners(double t, std::span<const Vessel
 
 void SceneWakes::advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
   if (settingOf(*scene_) == EffectSetting::off) return;
-  if (const char* reason = idleReason()) {
+  if (const char* reason = idleReason(vessels)) {
     if (ledger) ledger->decide(Effect::wake, false, reason);
     running_ = nullptr;
     return;

@@ -49,7 +49,8 @@ class SceneWakes {
 
  private:
   struct Running;
-  const char* idleReason() const;
+  const char* idleReason(std::span<const Vessel> vessels) const;
+  void enter(std::size_t index, double t, const Vessel& vessel);
   void start(double t, std::span<const Vessel> vessels);
   void record(double t, std::span<const Vessel> vessels);
   std::vector<WakeListener> listeners(double t, std::span<const Vessel> vessels) const;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim_bridge/grounding.h"
+#include "sim_bridge/scene/vessel_course.h"
 #include "sim_bridge/scene/vessel_launch.h"
 #include "surface/input_error.h"
 
@@ -63,14 +64,8 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
       detail_(scene, sea),
       steps_(firstStep),
       time_(static_cast<double>(firstStep) * scene.run.step) {
-  std::size_t count = 0;
-  for (const SceneVessel& vessel : scene.vessels) {
-    vessels_.push_back(launch(scene, vessel, sea));
-    const PrescribedVessel* prescribed = vessels_.back().prescribed();
-    prescribed ? count += prescribed->sampleCount() : ++freeCount_;
-  }
-  points_.resize(count);
-  samples_.resize(count);
+  for (const SceneVessel& vessel : scene.vessels) vessels_.push_back(launch(scene, vessel, sea));
+  countWater();
   wakes_.advance(time_, vessels_, ledger);
   sampleAt(time_, ledger);
   forEachPrescribed(
@@ -84,6 +79,37 @@ Simulation::Simulation(const Scene& scene, const Sea& sea, long long firstStep,
   for (std::size_t i = 0; i < vessels_.size(); ++i) {
     if (FreeVessel* vessel = vessels_[i].free()) vessel->settle(surface(), wakes_.ownHandle(i));
   }
+}
+
+void Simulation::countWater() {
+  std::size_t count = 0;
+  freeCount_ = 0;
+  for (const Vessel& vessel : vessels_) {
+    if (const PrescribedVessel* prescribed = vessel.prescribed())
+      count += prescribed->sampleCount();
+    if (vessel.free()) ++freeCount_;
+  }
+  points_.resize(count);
+  samples_.resize(count);
+}
+
+bool Simulation::place(std::size_t index, double t, const VesselPose& pose) {
+  Vessel& vessel = vessels_[index];
+  if (HostedVessel* known = vessel.hosted()) return known->place(t, pose);
+  const SceneVessel& description = scene_->vessels[index];
+  VesselTrack past(courseOf(description, sea_->geodesy));
+  const double step = VesselTrack::interval;
+  const double first = std::floor(std::max(0.0, time_ - VesselTrack::horizon) / step);
+  for (double n = first; n * step < time_ - reached * step; n += 1.0) {
+    past.record(n * step, vessel.placeAt(n * step));
+  }
+  past.record(time_, vessel.placeAt(time_));
+  HostedVessel hosted(description.model.hull, time_, vessel.pose(), std::move(past));
+  if (!hosted.place(t, pose)) return false;
+  hosted.readWater(surface(), wakes_.ownHandle(index));
+  vessel = Vessel(std::move(hosted));
+  countWater();
+  return true;
 }
 
 template <class Action>
@@ -211,6 +237,9 @@ void Simulation::movePrescribed(double t, EffectLedger* ledger) {
 
 void Simulation::moveTo(double t, EffectLedger* ledger) {
   moveFree(t, ledger);
+  for (Vessel& vessel : vessels_) {
+    if (HostedVessel* hosted = vessel.hosted()) hosted->moveTo(t);
+  }
   wakes_.advance(t, vessels_, ledger);
   sampleAt(t, ledger);
   movePrescribed(t, ledger);
@@ -218,6 +247,11 @@ void Simulation::moveTo(double t, EffectLedger* ledger) {
     for (std::size_t i = 0; i < vessels_.size(); ++i) {
       if (FreeVessel* vessel = vessels_[i].free())
         vessel->readWater(surface(), wakes_.ownHandle(i));
+    }
+  }
+  for (std::size_t i = 0; i < vessels_.size(); ++i) {
+    if (HostedVessel* hosted = vessels_[i].hosted()) {
+      hosted->readWater(surface(), wakes_.ownHandle(i));
     }
   }
   time_ = t;

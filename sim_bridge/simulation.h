@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -40,6 +41,10 @@ class Simulation {
   /// From now on wakes are there for these too; by default vessels alone call for them.
   void attend(Audience audience, EffectLedger* ledger = nullptr);
 
+  /// Vessel `index` is where a host says from now on, at `t` at `pose` (HostedVessel). False, and
+  /// nothing changes, where `t` is before time() or not later than the host's last pose.
+  bool place(std::size_t index, double t, const VesselPose& pose);
+
   double time() const { return time_; }
   double nextTime() const;  ///< after one more step, s
 
@@ -59,9 +64,12 @@ class Simulation {
   std::span<const Vessel> vessels() const { return vessels_; }
   /// The sea with all that disturbs it, at times about `time()`. Valid until the next step.
   const WaterSurface& surface() const { return disturbed_ ? *disturbed_ : wakes_.surface(); }
+  /// Handle of the waves that vessel `index` does not feel, for SampleOptions::excludeVessel.
+  std::uint32_t ownWake(std::size_t index) const { return wakes_.ownHandle(index); }
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
+  void countWater();
   void moveFree(double t, EffectLedger* ledger);
   void movePrescribed(double t, EffectLedger* ledger);
   void moveTo(double t, EffectLedger* ledger);

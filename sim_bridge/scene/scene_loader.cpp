@@ -191,10 +191,7 @@ void resolveLayers(Scene& scene, const YamlValue& document, const Geodesy& geode
   }
 }
 
-}  // namespace
-
-Scene loadScene(const fs::path& file) {
-  const YamlValue document = readYaml(file);
+Scene sceneOf(const YamlValue& document, const fs::path& file) {
   if (document.kind == YamlValue::Kind::null) throw InputError(file.string(), 0, "is empty");
   Scene scene;
   sceneSchema().read(scene, document);
@@ -207,6 +204,15 @@ Scene loadScene(const fs::path& file) {
   checkEvents(scene, document, geodesy);
   resolveLayers(scene, document, geodesy);
   return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const fs::path& file) { return sceneOf(readYaml(file), file); }
+
+Scene sceneFromText(const std::string& yaml, const fs::path& folder) {
+  const fs::path file = folder / "<text>";
+  return sceneOf(parseYaml(yaml, file), file);
 }
 
 }  // namespace seaway::bridge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/schema.h"
@@ -17,5 +18,9 @@ const Mapping<Scene>& sceneSchema();
 /// mounted and fixed, a start or camera outside the geodesy's range, or a file that is missing.
 /// Warns (spdlog) where a sea state file's octaves are not of the height its provenance tells.
 Scene loadScene(const std::filesystem::path& file);
+
+/// The same of a scene file's text, whose paths are relative to `folder`. Messages call the file
+/// `FOLDER/<text>`.
+Scene sceneFromText(const std::string& yaml, const std::filesystem::path& folder);
 
 }  // namespace seaway::bridge

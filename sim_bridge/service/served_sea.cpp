@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "sim_bridge/vessel/vessel.h"
+#include "sim_bridge/vessel/prescribed_vessel.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
 
@@ -144,7 +144,7 @@ namespace {
 VesselPose afloatOn(const WaterSurface& surface, const ServedScene& scene, std::size_t vessel,
                     const Course& course, double t, std::uint32_t own) {
   const VesselModel& model = scene.scene.vessels[vessel].model;
-  Vessel floating(model.hull, course);
+  PrescribedVessel floating(model.hull, course);
   std::vector<glm::dvec2> points(floating.sampleCount());
   std::vector<SurfaceSample> water(points.size());
   floating.samplePoints(t, points);

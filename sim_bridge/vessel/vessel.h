@@ -4,21 +4,25 @@
 #include <variant>
 
 #include "sim_bridge/vessel/free_vessel.h"
+#include "sim_bridge/vessel/hosted_vessel.h"
 #include "sim_bridge/vessel/prescribed_vessel.h"
 
 namespace seaway::bridge {
 
-/// A vessel of a scene: on its prescribed course, or free. A value; a copy moves on alone.
+/// A vessel of a scene: on its prescribed course, free, or where a host has it. A value; a copy moves on alone.
 class Vessel {
  public:
   explicit Vessel(PrescribedVessel vessel) : kind_(std::move(vessel)) {}
   explicit Vessel(FreeVessel vessel) : kind_(std::move(vessel)) {}
+  explicit Vessel(HostedVessel vessel) : kind_(std::move(vessel)) {}
 
   /// Null where it is of the other kind.
   PrescribedVessel* prescribed() { return std::get_if<PrescribedVessel>(&kind_); }
   const PrescribedVessel* prescribed() const { return std::get_if<PrescribedVessel>(&kind_); }
   FreeVessel* free() { return std::get_if<FreeVessel>(&kind_); }
   const FreeVessel* free() const { return std::get_if<FreeVessel>(&kind_); }
+  HostedVessel* hosted() { return std::get_if<HostedVessel>(&kind_); }
+  const HostedVessel* hosted() const { return std::get_if<HostedVessel>(&kind_); }
 
   double time() const {
     return std::visit([](const auto& vessel) { return vessel.time(); }, kind_);
@@ -44,7 +48,7 @@ class Vessel {
   }
 
  private:
-  std::variant<PrescribedVessel, FreeVessel> kind_;
+  std::variant<PrescribedVessel, FreeVessel, HostedVessel> kind_;
 };
 
 }  // namespace seaway::bridge
