@@ -123,6 +123,31 @@ struct NaiveGridOptions {
 /// Kept to show why not: what is near is coarse, what is far is missing, most is out of view.
 std::unique_ptr<RenderTechnique> makeNaiveGrid(const NaiveGridOptions& options = {});
 
+/// How the radial grid lies around the camera, and what displaces it.
+struct RadialGridOptions {
+  glm::ivec2 grid{256, 256};   ///< spokes, rings; ≥ 3 each
+  double innermost = 0.1;      ///< radius of the first ring, m, > 0
+  double displacement = 0.99;  ///< share of the waves' variance that displaces vertices, (0, 1]
+};
+
+/// Kryachko's radial grid (2005, GPU Gems 2, chapter 18): rings about the camera's foot at radii
+/// a₀ + a₁ i⁴ out to the horizon. Heights are those of the largest octaves, slopes, for lighting,
+/// those of all that the ring carries, both gathered in one table of floats, a texel a vertex. What
+/// the camera cannot see is not sampled. Drawn as the software projected grid is.
+std::unique_ptr<RenderTechnique> makeRadialGrid(const RadialGridOptions& options = {});
+
+/// How the sea is found in a pass over all pixels.
+struct PostProcessOptions {
+  glm::ivec2 grid{256, 256};  ///< of the height map: spokes, rings; ≥ 3 each
+  int steps = 16;             ///< of the march, [2, 1024]
+};
+
+/// Toman's water as a post-process: the scene is drawn first, then a pass over all pixels marches
+/// from each one's scene position towards the viewer over a height map, to where the ray last leaves
+/// the water, and takes normals from four neighbours in the map. The map lies on the radial grid's
+/// rings, all waves that they carry in it. A crest that lies between two steps is not seen.
+std::unique_ptr<RenderTechnique> makePostProcess(const PostProcessOptions& options = {});
+
 /// A ray through each pixel's centre against the same sea, curved like it: the truth that other
 /// techniques' pictures and depths are compared with. Slow. `options.grid` says for which grid: the
 /// waves that its rows cannot carry are left out here too (reference/band_limited_sea.h, which

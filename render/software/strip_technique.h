@@ -31,6 +31,9 @@ class StripTechnique : public RenderTechnique {
                            bool underWater, PixelSpan& span) const = 0;
   virtual std::size_t seaMemoryBytes() const = 0;
 
+  /// The frame's objects, for a sea that is drawn over a scene.
+  const ObjectTriangles& objects() const { return objects_; }
+
  private:
   /// A row of the picture to be shaded.
   struct ShadedRow {
