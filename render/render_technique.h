@@ -23,6 +23,7 @@ struct Light {
   double sunElevation = 0.5;  ///< rad above the horizon, [−π/2, π/2]
   double sunDirection = 0.0;  ///< rad counter-clockwise from east: where the sun stands
   double windSpeed = 7.0;     ///< m/s at 12.5 m: roughness below the field's shortest waves
+  double turbidity = 0.045;   ///< of the water, 1/m ≥ 0: what it dims beyond clear water, any colour
 };
 
 /// A plain coloured triangle mesh in its own body frame (x forward, y port, z up, m).

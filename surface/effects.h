@@ -31,6 +31,8 @@ enum class Effect : std::size_t {
   ripples,
   outline,
   hullMask,
+  reflection,
+  refraction,
   count
 };
 
