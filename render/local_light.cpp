@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <tuple>
 
 #include "render/scene_object.h"
 
@@ -37,16 +38,6 @@ void forgetFar(const View& view, double farthest, std::vector<double>& levels) {
   }
 }
 
-double farthestObject(const View& view) {
-  double farthest = 1.0;
-  for (const SceneObject& object : view.objects) {
-    if (!object.mesh) continue;
-    const double away = glm::length(object.position - view.camera.position);
-    farthest = std::max(farthest, away + object.mesh->boundingRadius);
-  }
-  return farthest;
-}
-
 void hold(const View& view, Effect effect, const LocalImage& image) {
   view.effects->chargeInside(effect, Effect::water);
   view.effects->holdMemory(effect, image.texels.capacity() * sizeof(glm::vec4));
@@ -73,12 +64,12 @@ void LocalLight::fill(const View& view, const Shown& shown, const ShadingConstan
       return;
     }
     draw(triangles_, view.camera.size, constants, skyTexels, image);
+    if (side == WaterSide::mirrored) std::tie(nearest_, farthest_) = triangles_.axialRange();
     hold(view, effect, image);
   };
   decide(Effect::reflection, WaterSide::mirrored, "water mirrors a vessel", mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
   decide(Effect::refraction, WaterSide::below, "a vessel's wet part is in view", below_);
-  farthest_ = mayShow ? farthestObject(view) : 1.0;
   if (!mayShow) triangles_ = {};
 }
 
@@ -129,10 +120,8 @@ void LocalLight::setConstants(ShadingConstants& constants) const {
   constants.mirrorSize = glm::vec2(mirrored_.size);
   constants.belowLeast = glm::vec2(below_.least);
   constants.belowSize = glm::vec2(below_.size);
-  const double steps = ShadingConstants::mirrorSteps - 1.0;
-  const double ratio = std::max(farthest_ / constants.mirrorFirst, 1.5);
-  constants.mirrorRatio = static_cast<float>(std::pow(ratio, 1.0 / steps));
-  constants.mirrorReach = static_cast<float>(ratio * constants.mirrorFirst);
+  constants.mirrorNearest = 0.99f * nearest_;
+  constants.mirrorFarthest = 1.01f * farthest_;
 }
 
 }  // namespace seaway::render

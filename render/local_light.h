@@ -34,7 +34,7 @@ class LocalLight {
 
   ObjectTriangles triangles_;
   LocalImage mirrored_, below_;
-  double farthest_ = 0.0;  // of an object's waterline from what it may be mirrored in, m
+  float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
 };
 
 }  // namespace seaway::render

@@ -73,9 +73,8 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("mirrorSize", c.mirrorSize);
   program.set("belowLeast", c.belowLeast);
   program.set("belowSize", c.belowSize);
-  program.set("mirrorFirst", c.mirrorFirst);
-  program.set("mirrorRatio", c.mirrorRatio);
-  program.set("mirrorReach", c.mirrorReach);
+  program.set("mirrorNearest", c.mirrorNearest);
+  program.set("mirrorFarthest", c.mirrorFarthest);
 }
 
 void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {

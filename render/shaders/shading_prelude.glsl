@@ -26,8 +26,8 @@ uniform vec3 pixelRight, pixelDown;
 uniform vec2 pixelMiddle;
 uniform bool mirrorIsOn, belowIsOn;
 uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
-uniform float mirrorFirst, mirrorRatio, mirrorReach;
-const int mirrorSteps = 8;
+uniform float mirrorNearest, mirrorFarthest;
+const int mirrorSteps = 6;
 
 uniform bool foamIsOn, rainIsOn;
 uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;

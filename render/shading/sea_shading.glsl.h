@@ -62,11 +62,14 @@ SHADER Real3 mirroredOnwards(Real3 toViewer, Real2 facet) {
 SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
   Real open = Real(1.0f);
-  Real surface = 1.0f / max(dot(relative, Real3(forward)), 1e-3f);
-  float far = mirrorFirst;
-  for (int i = 0; i < mirrorSteps; ++i) {
-    Real3 place = relative + onwards * far;
-    far = far * mirrorRatio;
+  Real here = dot(relative, Real3(forward));
+  Real surface = 1.0f / max(here, 1e-3f);
+  // Even steps through the distances between which there are objects.
+  Real perMetre = 1.0f / max(dot(onwards, Real3(forward)), 0.02f);
+  Real first = max((mirrorNearest - here) * perMetre, 0.0f);
+  Real step = max((mirrorFarthest - here) * perMetre - first, 0.0f) * (1.0f / float(mirrorSteps));
+  for (int i = 1; i <= mirrorSteps; ++i) {
+    Real3 place = relative + onwards * (first + step * float(i));
     Real axial = max(dot(place, Real3(forward)), 1e-3f);
     Real2 pixel = pixelOf(place, axial);
     Real nearness = mirrorNearness(pixel);
@@ -82,16 +85,19 @@ SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
   return light;
 }
 
-// Five facets for all that are within the deviation of their slope.
+// Three facets for all that are within the deviation of their slope.
 SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 towards,
                              Real deviation, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
   // All rays end within these pixels.
-  Real2 here = pixelOf(relative, max(dot(relative, Real3(forward)), 1e-3f));
-  Real top = here.y, bottom = here.y, left = here.x, rightmost = here.x;
-  for (int i = -2; i < 3; i += 4) {
-    Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
-    Real3 place = relative + mirrorReach * mirroredOnwards(toViewer, facet);
+  Real here = dot(relative, Real3(forward));
+  Real2 pixel = pixelOf(relative, max(here, 1e-3f));
+  Real top = pixel.y, bottom = pixel.y, left = pixel.x, rightmost = pixel.x;
+  for (int i = -1; i < 2; i += 2) {
+    Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+    Real3 onwards = mirroredOnwards(toViewer, facet);
+    Real reach = max(mirrorFarthest - here, 0.0f) / max(dot(onwards, Real3(forward)), 0.02f);
+    Real3 place = relative + onwards * reach;
     Real2 end = pixelOf(place, max(dot(place, Real3(forward)), 1e-3f));
     top = min(top, end.y);
     bottom = max(bottom, end.y);
@@ -102,12 +108,12 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   meets = choose(bottom > mirrorLeast.y - 1.0f, meets, Real(0.0f));
   meets = choose(left < mirrorLeast.x + mirrorSize.x, meets, Real(0.0f));
   meets = choose(rightmost > mirrorLeast.x - 1.0f, meets, Real(0.0f));
+  meets = choose(here < mirrorFarthest, meets, Real(0.0f));
   if (anyOf(meets > 0.0f)) {
-    for (int i = -2; i < 3; ++i) {
-      Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
-      float weight = 0.4026f;  // of a normal distribution, all together 1
-      if (i == 1 || i == -1) weight = 0.2442f;
-      if (i == 2 || i == -2) weight = 0.0545f;
+    for (int i = -1; i < 2; ++i) {
+      Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+      float weight = 0.25f;
+      if (i == 0) weight = 0.5f;
       Real shown = Real(0.0f);
       light = light + mirroredObjects(relative, mirroredOnwards(toViewer, facet), shown) * weight;
       part = part + shown * weight;
@@ -318,7 +324,7 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   Real3 sky = blurredSky(mirrored, blurLevel(deviation));
   Real open = Real(1.0f);  // part of what is mirrored that no object hides
   if (mirrorIsOn) {
-    // A pixel's own ripples by half, the rest as roughness: edges would break up into dots.
+    // Half of a pixel's own ripples, the rest as roughness: edges would break up into dots.
     Real hidden = Real(0.0f);
     Real3 objects = roughlyMirrored(relative, toViewer, leaned - 0.5f * ripples, towards,
                                     sqrt(variance + 0.375f * rippled), hidden);

@@ -42,9 +42,8 @@ struct ShadingConstants {
   bool mirrorIsOn = false, belowIsOn = false;
   glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
-  static constexpr int mirrorSteps = 8;
-  float mirrorFirst = 0.2f, mirrorRatio = 2.0f;  ///< of steps along a mirrored ray, m
-  float mirrorReach = 1.0f;                      ///< its last step, m
+  static constexpr int mirrorSteps = 6;
+  float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer
   float hairSlope = 0.0f;         ///< mean-square slope of what is finer than ripples

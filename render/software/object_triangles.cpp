@@ -100,6 +100,17 @@ void ObjectTriangles::raster(Strip& strip) const {
   for (const ScreenTriangle& triangle : triangles_) rasterTriangle(triangle, strip);
 }
 
+std::pair<float, float> ObjectTriangles::axialRange() const {
+  double least = 1e30, most = 0.0;
+  for (const ScreenTriangle& t : triangles_) {
+    for (const double inverse : t.inverse) {
+      least = std::min(least, 1.0 / inverse);
+      most = std::max(most, 1.0 / inverse);
+    }
+  }
+  return {static_cast<float>(least), static_cast<float>(most)};
+}
+
 PixelBox ObjectTriangles::boxIn(glm::ivec2 picture) const {
   glm::dvec2 least(picture), most(-1.0);
   for (const ScreenTriangle& t : triangles_) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/pixel_box.h"
@@ -29,6 +30,9 @@ class ObjectTriangles {
   bool empty() const { return triangles_.empty(); }
   void raster(Strip& strip) const;
   std::span<const ScreenTriangle> triangles() const { return triangles_; }
+
+  /// Least and largest axial distance, m.
+  std::pair<float, float> axialRange() const;
 
   /// Pixels of a picture that the triangles may touch.
   PixelBox boxIn(glm::ivec2 picture) const;
