@@ -4,8 +4,25 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace seaway::render {
+
+double RingLaw::radius(int ring) const {
+  const double i = ring - 1.0;
+  return ring == 0 ? 0.0 : innermost + growth * i * i * i * i;
+}
+
+namespace {
+
+GridLayout emptyLayout(glm::ivec2 size) {
+  GridLayout layout;
+  layout.size = size;
+  layout.rows.resize(size.y);
+  return layout;
+}
+
+}  // namespace
 
 double GridLayout::rowAt(glm::dvec2 place) const {
   const Projector::GridFromPlane& g = fromPlane;
@@ -17,7 +34,8 @@ double GridLayout::rowAt(glm::dvec2 place) const {
 }
 
 GridLayout projectedLayout(const Projector& projector, const WaveField& waves, glm::ivec2 size) {
-  GridLayout layout{size, std::vector<GridLayout::Row>(size.y), projector.gridFromPlane()};
+  GridLayout layout = emptyLayout(size);
+  layout.fromPlane = projector.gridFromPlane();
   const BandLimit bandLimit(waves);
   const std::vector<Projector::Line> lines = projector.lines(size.y);
   for (int row = 0; row < size.y; ++row) {
@@ -37,7 +55,7 @@ GridLayout projectedLayout(const Projector& projector, const WaveField& waves, g
 }
 
 GridLayout naiveLayout(const WaveField& waves, double side, glm::ivec2 size) {
-  GridLayout layout{size, std::vector<GridLayout::Row>(size.y), {}};
+  GridLayout layout = emptyLayout(size);
   const glm::dvec2 step = side / (glm::dvec2(size) - 1.0);
   const BandLimit::Plan plan = BandLimit(waves).planFor(std::max(step.x, step.y));
   for (int row = 0; row < size.y; ++row) {
@@ -52,6 +70,29 @@ GridLayout naiveLayout(const WaveField& waves, double side, glm::ivec2 size) {
   g.heightCosine = 0.0;
   g.leastY = -0.5 * side;
   g.perY = 1.0 / side;
+  return layout;
+}
+
+GridLayout radialLayout(const WaveField& waves, glm::dvec2 centre, double reach,
+                        const RingOptions& options) {
+  const glm::ivec2 size = options.size;
+  GridLayout layout = emptyLayout(size);
+  layout.fromPlane.foot = centre;
+  layout.displacementTolerance = waves.standardDeviation() * std::sqrt(1.0 - options.displacement);
+  const double inner = options.innermost;
+  layout.rings = RingLaw{inner, std::max(reach - inner, inner) / std::pow(size.y - 2.0, 4)};
+  const double angle = 2.0 * std::numbers::pi / (size.x - 1.0);
+  for (int column = 0; column < size.x; ++column) {
+    const double turn = angle * (column % (size.x - 1));
+    layout.spokes.emplace_back(std::cos(turn), std::sin(turn));
+  }
+  const BandLimit bandLimit(waves);
+  for (int row = 0; row < size.y; ++row) {
+    const int other = row + 1 < size.y ? row + 1 : row - 1;
+    const double radius = layout.rings->radius(row);
+    const double beyond = std::abs(layout.rings->radius(other) - radius);
+    layout.rows[row].plan = bandLimit.planFor(std::max(angle * radius, beyond));
+  }
   return layout;
 }
 

@@ -50,4 +50,16 @@ void validate(const ProjectedGridOptions& options) {
   }
 }
 
+void validateRings(const std::string& technique, glm::ivec2 grid, double innermost) {
+  if (grid.x < 3 || grid.y < 3) {
+    std::ostringstream message;
+    message << technique << ": " << grid.x << " spokes and " << grid.y
+            << " rings are not allowed; there must be at least 3 of each";
+    throw InputError(message.str());
+  }
+  if (!(innermost > 0.0 && std::isfinite(innermost))) {
+    throw InputError(technique + ": the first ring's radius must be above 0 m and finite");
+  }
+}
+
 }  // namespace seaway::render

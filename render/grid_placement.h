@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "render/projector.h"
 #include "render/render_technique.h"
@@ -25,7 +26,8 @@ std::optional<Projector> placeSea(const View& view, double projectorElevation,
 /// Whether the camera is below the water's surface.
 bool cameraIsUnderWater(const View& view);
 
-/// Throws InputError for options out of range.
+/// Throw InputError for options out of range.
 void validate(const ProjectedGridOptions& options);
+void validateRings(const std::string& technique, glm::ivec2 grid, double innermost);
 
 }  // namespace seaway::render

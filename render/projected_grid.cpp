@@ -74,6 +74,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::optional<HullMaskPass> hullMask_;
   bool groundIsShown_ = false;
   std::optional<SkyDome> sky_;
+  LocalLight local_;
   std::optional<ShadingPass> shading_;
   std::optional<ComputeShading> computeShading_;
   GpuClock gpuClock_;
@@ -176,6 +177,9 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   ShadingInput input;
   input.constants = shadingConstants(view, lighting);
   input.sky = lighting.sky;
+  input.local = &local_;
+  local_.fill(view, shown, input.constants, lighting.sky ? lighting.sky->texels().data() : nullptr);
+  local_.setConstants(input.constants);
   input.waterIsOn = shown.water;
   input.objectsAreOn = shown.objects || groundIsShown_;
   // What is shaded pays: nobody, where neither water nor sky is drawn.

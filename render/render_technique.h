@@ -23,6 +23,7 @@ struct Light {
   double sunElevation = 0.5;  ///< rad above the horizon, [−π/2, π/2]
   double sunDirection = 0.0;  ///< rad counter-clockwise from east: where the sun stands
   double windSpeed = 7.0;     ///< m/s at 12.5 m: roughness below the field's shortest waves
+  double turbidity = 0.045;   ///< of the water, 1/m ≥ 0: what it dims beyond clear water, any colour
 };
 
 /// A plain coloured triangle mesh in its own body frame (x forward, y port, z up, m).
@@ -122,6 +123,31 @@ struct NaiveGridOptions {
 /// An even grid of the sea plane around the camera's foot, drawn as the software projected grid is.
 /// Kept to show why not: what is near is coarse, what is far is missing, most is out of view.
 std::unique_ptr<RenderTechnique> makeNaiveGrid(const NaiveGridOptions& options = {});
+
+/// How the radial grid lies around the camera, and what displaces it.
+struct RadialGridOptions {
+  glm::ivec2 grid{256, 256};   ///< spokes, rings; ≥ 3 each
+  double innermost = 0.1;      ///< radius of the first ring, m, > 0
+  double displacement = 0.99;  ///< share of the waves' variance that displaces vertices, (0, 1]
+};
+
+/// Kryachko's radial grid (2005, GPU Gems 2, chapter 18): rings about the camera's foot at radii
+/// a₀ + a₁ i⁴ out to the horizon. Heights are those of the largest octaves, slopes, for lighting,
+/// those of all that the ring carries, both gathered in one table of floats, a texel a vertex. What
+/// the camera cannot see is not sampled. Drawn as the software projected grid is.
+std::unique_ptr<RenderTechnique> makeRadialGrid(const RadialGridOptions& options = {});
+
+/// How the sea is found in a pass over all pixels.
+struct PostProcessOptions {
+  glm::ivec2 grid{256, 256};  ///< of the height map: spokes, rings; ≥ 3 each
+  int steps = 16;             ///< of the march, [2, 1024]
+};
+
+/// Toman's water as a post-process: the scene is drawn first, then a pass over all pixels marches
+/// from each one's scene position towards the viewer over a height map, to where the ray last leaves
+/// the water, and takes normals from four neighbours in the map. The map lies on the radial grid's
+/// rings, all waves that they carry in it. A crest that lies between two steps is not seen.
+std::unique_ptr<RenderTechnique> makePostProcess(const PostProcessOptions& options = {});
 
 /// A ray through each pixel's centre against the same sea, curved like it: the truth that other
 /// techniques' pictures and depths are compared with. Slow. `options.grid` says for which grid: the

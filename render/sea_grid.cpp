@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "render/grid_cover.h"
+#include "render/grid_skip.h"
 #include "surface/curvature.h"
 
 namespace seaway::render {
@@ -29,18 +30,47 @@ struct Waves {
   }
 };
 
-/// Takes `weight` of another set of waves for as much of these.
-void mixIn(const Waves& other, float weight, int count, Waves& waves) {
-  for (int i = 0; i < count; ++i) {
-    waves.height[i] += weight * (other.height[i] - waves.height[i]);
-    waves.slopeX[i] += weight * (other.slopeX[i] - waves.slopeX[i]);
-    waves.slopeY[i] += weight * (other.slopeY[i] - waves.slopeY[i]);
-  }
+/// Takes `weight` of `other` for as much of `values`.
+void mixIn(const std::array<float, chunk>& other, float weight, int count,
+           std::array<float, chunk>& values) {
+  for (int i = 0; i < count; ++i) values[i] += weight * (other[i] - values[i]);
+}
+
+/// The waves that a row carries.
+void sampleWaves(const SurfaceAtTime& water, std::span<const double> x, std::span<const double> y,
+                 const BandLimit::Plan& plan, Waves& waves) {
+  const int count = static_cast<int>(x.size());
+  water.waves().sample(x, y, waves.arrays(count), {.shortestWavelength = plan.keptWavelength});
+  if (plan.weight <= 0.0) return;
+  const auto weight = static_cast<float>(plan.weight);
+  Waves fading;
+  water.waves().sample(x, y, fading.arrays(count), {.shortestWavelength = plan.fadingWavelength});
+  mixIn(fading.height, weight, count, waves.height);
+  mixIn(fading.slopeX, weight, count, waves.slopeX);
+  mixIn(fading.slopeY, weight, count, waves.slopeY);
+}
+
+/// Takes the heights of the largest octaves alone: those that leave `tolerance` m (1 σ).
+void keepLargest(const SurfaceAtTime& water, std::span<const double> x, std::span<const double> y,
+                 const BandLimit::Plan& plan, double tolerance, Waves& waves) {
+  const int count = static_cast<int>(x.size());
+  const auto heights = [&](std::array<float, chunk>& to, double shortest) {
+    water.waves().sample(x, y, {.height = std::span(to.data(), count), .slopeX = {}, .slopeY = {},
+                                .rate = {}},
+                         {.tolerance = tolerance, .shortestWavelength = shortest,
+                          .derivatives = false});
+  };
+  heights(waves.height, plan.keptWavelength);
+  if (plan.weight <= 0.0) return;
+  std::array<float, chunk> fading;
+  heights(fading, plan.fadingWavelength);
+  mixIn(fading, static_cast<float>(plan.weight), count, waves.height);
 }
 
 }  // namespace
 
-void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout) {
+void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
+                   double bound) {
   size_ = layout.size;
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
@@ -51,60 +81,62 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   } else {
     missingWakes_.assign(vertexCount(), 0.0f);
   }
-  wet_.clear();
+  shown_.clear();
+  if (layout.rings) shown_ = batchesInView(layout, camera, bound, batch);
   const SurfaceDetail* detail = water.extras().detail.get();
   if (detail && !detail->cover.empty()) {
     cover_.resize(vertexCount());
   } else {
     cover_.clear();
   }
-  if (water.outline()) findWet(*water.outline(), camera, layout);
-  tbb::parallel_for(0, size_.y, [&](int row) {
-    rowLargest_[row] = fillRow(water, camera, layout.rows[row], row);
-  });
+  if (water.outline()) hideDry(*water.outline(), camera, layout);
+  tbb::parallel_for(0, size_.y,
+                    [&](int row) { rowLargest_[row] = fillRow(water, camera, layout, row); });
   largestHeight_ = *std::max_element(rowLargest_.begin(), rowLargest_.end());
 }
 
-void SeaGrid::findWet(const WaterOutline& outline, const Camera& camera,
+/// Hides batches that lie wholly outside the outline.
+void SeaGrid::hideDry(const WaterOutline& outline, const Camera& camera,
                       const GridLayout& layout) {
-  wet_.resize(static_cast<std::size_t>(size_.y - 1) * batches());
+  shown_.resize(static_cast<std::size_t>(size_.y - 1) * batches(), 1);
   const glm::dvec2 foot(camera.position);
   tbb::parallel_for(0, size_.y - 1, [&](int row) {
     for (int b = 0; b < batches(); ++b) {
       const int first = b * batch, last = std::min(first + batch, size_.x - 1);
       glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
       for (const int line : {row, row + 1}) {
-        for (const int column : {first, last}) {
-          const GridLayout::Row& at = layout.rows[line];
-          const glm::dvec2 corner = foot + at.start + at.step * static_cast<double>(column);
+        // Of a straight row the ends say it all.
+        for (int column = first; column <= last; column += layout.rings ? 1 : last - first) {
+          const glm::dvec2 corner = foot + layout.place(line, column);
           least = glm::min(least, corner);
           most = glm::max(most, corner);
         }
       }
-      wet_[static_cast<std::size_t>(row) * batches() + b] = outline.mayMeet(least, most);
+      std::uint8_t& shown = shown_[static_cast<std::size_t>(row) * batches() + b];
+      shown = shown && outline.mayMeet(least, most);
     }
   });
 }
 
-/// Whether a batch that has a vertex of this column's batch may be wet.
+/// Whether a batch that has a vertex of this column's batch may show.
 bool SeaGrid::isAsked(int row, int column) const {
-  if (wet_.empty()) return true;
+  if (shown_.empty()) return true;
   const int here = std::min(column / batch, batches() - 1);
   for (const int line : {row - 1, row}) {
     for (const int b : {here - 1, here}) {
-      if (line >= 0 && line + 1 < size_.y && b >= 0 && mayBeWet(line, b)) return true;
+      if (line >= 0 && line + 1 < size_.y && b >= 0 && mayShow(line, b)) return true;
     }
   }
   return false;
 }
 
 double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
-                        const GridLayout::Row& layout, int row) {
-  missingSlope_[row] = static_cast<float>(layout.plan.missingSlope);
+                        const GridLayout& layout, int row) {
+  missingSlope_[row] = static_cast<float>(layout.rows[row].plan.missingSlope);
   double largest = 0.0;
   for (int first = 0; first < size_.x;) {
     const bool asked = isAsked(row, first);
-    int end = first + (wet_.empty() ? chunk : batch);
+    int end = first + (shown_.empty() ? chunk : batch);
     while (end < size_.x && end - first < chunk && isAsked(row, end) == asked) end += batch;
     end = std::min(end, size_.x);
     largest = std::max(largest, fillPiece(water, camera, layout, row, first, end - first));
@@ -121,26 +153,22 @@ void SeaGrid::addWakes(std::span<const double> x, std::span<const double> y, dou
 }
 
 double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
-                          const GridLayout::Row& layout, int row, int first, int count) {
-  const auto& [start, step, plan] = layout;
-  const WaterOutline* outline = wet_.empty() ? nullptr : water.outline();
-  const bool asked = isAsked(row, first), fades = plan.weight > 0.0 && asked;
-  const auto weight = static_cast<float>(plan.weight);
+                          const GridLayout& layout, int row, int first, int count) {
+  const BandLimit::Plan& plan = layout.rows[row].plan;
+  const WaterOutline* outline = water.outline();
+  const bool asked = isAsked(row, first);
   std::array<double, chunk> x, y;
-  Waves waves, fading;
+  Waves waves;
   for (int i = 0; i < count; ++i) {
-    x[i] = camera.position.x + start.x + step.x * (first + i);
-    y[i] = camera.position.y + start.y + step.y * (first + i);
+    const glm::dvec2 point = glm::dvec2(camera.position) + layout.place(row, first + i);
+    x[i] = point.x;
+    y[i] = point.y;
   }
   const std::span<const double> xs(x.data(), count), ys(y.data(), count);
-  if (asked) {
-    water.waves().sample(xs, ys, waves.arrays(count), {.shortestWavelength = plan.keptWavelength});
+  if (asked) sampleWaves(water, xs, ys, plan, waves);
+  if (asked && layout.displacementTolerance > 0.0) {
+    keepLargest(water, xs, ys, plan, layout.displacementTolerance, waves);
   }
-  if (fades) {
-    water.waves().sample(xs, ys, fading.arrays(count),
-                         {.shortestWavelength = plan.fadingWavelength});
-  }
-  if (fades) mixIn(fading, weight, count, waves);
   GridCover cover;
   if (asked) {
     cover.sample(water, xs, ys);
@@ -153,12 +181,16 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
   }
   if (asked && !wakes_.empty()) addWakes(xs, ys, plan.spacing, at, waves.arrays(count));
   for (int i = 0; i < count; ++i) {
-    float height = waves.height[i], slopeX = waves.slopeX[i], slopeY = waves.slopeY[i];
+    float height = 0.0f, slopeX = 0.0f, slopeY = 0.0f;
     // Where the field has no answer the sea is drawn still: a hole would look like sky. Outside its
     // outline it lies as the ground does.
-    const bool dry = outline && (!asked || !outline->contains({x[i], y[i]}));
-    if (dry || !std::isfinite(height)) height = slopeX = slopeY = 0.0f;
-    const glm::dvec2 base = start + step * static_cast<double>(first + i);
+    const bool wet = asked && (!outline || outline->contains({x[i], y[i]}));
+    if (wet && std::isfinite(waves.height[i])) {
+      height = waves.height[i];
+      slopeX = waves.slopeX[i];
+      slopeY = waves.slopeY[i];
+    }
+    const glm::dvec2 base = layout.place(row, first + i);
     largest = std::max(largest, static_cast<double>(std::abs(height)));
     x_[at + i] = static_cast<float>(base.x);
     y_[at + i] = static_cast<float>(base.y);
@@ -196,7 +228,7 @@ std::size_t SeaGrid::memoryBytes() const {
           slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
          wakes_.memoryBytes() + cover_.capacity() * sizeof(std::uint32_t) +
-         rowLargest_.capacity() * sizeof(double) + wet_.capacity();
+         rowLargest_.capacity() * sizeof(double) + shown_.capacity();
 }
 
 }  // namespace seaway::render

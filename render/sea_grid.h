@@ -17,7 +17,9 @@ namespace seaway::render {
 class SeaGrid {
  public:
   /// Fills the grid from `water`; rows are shared among threads, memory is reused between calls.
-  void fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout);
+  /// Rings are sampled only where the camera may see them, with waves up to `bound` m.
+  void fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
+            double bound = 0.0);
 
   glm::ivec2 size() const { return size_; }
   std::size_t vertexCount() const { return static_cast<std::size_t>(size_.x) * size_.y; }
@@ -41,11 +43,11 @@ class SeaGrid {
   const std::vector<float>& missingWakes() const { return missingWakes_; }
 
   /// Whether a batch of `batch` quads of a row, between it and the next, may show water: false only
-  /// where the sea has an outline and none of the batch is inside. Vertices outside the outline lie
-  /// at still-water level.
+  /// where the sea has an outline and none of the batch is inside, or where rings lie out of view.
+  /// Vertices of none that may, and those outside the outline, lie at still-water level.
   static constexpr int batch = 16;
-  bool mayBeWet(int row, int batchIndex) const {
-    return wet_.empty() || wet_[static_cast<std::size_t>(row) * batches() + batchIndex] != 0;
+  bool mayShow(int row, int batchIndex) const {
+    return shown_.empty() || shown_[static_cast<std::size_t>(row) * batches() + batchIndex] != 0;
   }
 
   /// Largest |height| of all vertices, m.
@@ -57,11 +59,11 @@ class SeaGrid {
 
  private:
   int batches() const { return (size_.x - 2) / batch + 1; }
-  void findWet(const WaterOutline& outline, const Camera& camera, const GridLayout& layout);
+  void hideDry(const WaterOutline& outline, const Camera& camera, const GridLayout& layout);
   bool isAsked(int row, int column) const;
-  double fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
+  double fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
                  int row);
-  double fillPiece(const SurfaceAtTime& water, const Camera& camera, const GridLayout::Row& layout,
+  double fillPiece(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
                    int row, int first, int count);
   void addWakes(std::span<const double> x, std::span<const double> y, double spacing,
                 std::size_t at, const FieldAtTime::Arrays& waves);
@@ -71,7 +73,7 @@ class SeaGrid {
   std::vector<std::uint32_t> cover_;
   WakesInView wakes_;
   std::vector<double> rowLargest_;
-  std::vector<std::uint8_t> wet_;  // one a batch; empty: all
+  std::vector<std::uint8_t> shown_;  // one a batch; empty: all
   double largestHeight_ = 0.0;
 };
 

@@ -10,8 +10,8 @@
 namespace seaway::render {
 namespace {
 
-constexpr std::array<std::string_view, 3> techniques = {"projected_grid", "naive_grid",
-                                                        "reference"};
+constexpr std::array<std::string_view, 5> techniques = {
+    "projected_grid", "radial_grid", "post_process", "naive_grid", "reference"};
 constexpr GridVariant variants[] = {GridVariant::software, GridVariant::cpuVertices,
                                     GridVariant::gpu, GridVariant::cpuVerticesGpuNormals,
                                     GridVariant::marched};
@@ -70,6 +70,8 @@ std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice) {
   }
   ProjectedGridOptions options{.grid = choice.grid};
   if (choice.technique == "reference") return makeReference(options);
+  if (choice.technique == "radial_grid") return makeRadialGrid({.grid = choice.grid});
+  if (choice.technique == "post_process") return makePostProcess({.grid = choice.grid});
   if (choice.technique == "naive_grid") return makeNaiveGrid({.grid = choice.grid});
   if (choice.variant == "automatic") return automaticGrid(choice);
   options.variant = *std::find_if(std::begin(variants), std::end(variants), [&](GridVariant v) {

@@ -10,7 +10,7 @@ namespace seaway::render {
 
 /// A technique by its names, as on the command line.
 struct TechniqueChoice {
-  std::string technique = "projected_grid";  ///< or naive_grid, reference
+  std::string technique = "projected_grid";  ///< or radial_grid, post_process, naive_grid, reference
   /// Of the projected grid: automatic, or a name of gridVariantName. Automatic is the fastest: all
   /// on the processor where OpenGL would be software, a marched picture on a graphics card.
   std::string variant = "automatic";

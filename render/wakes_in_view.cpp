@@ -11,6 +11,11 @@ namespace {
 bool meets(const WakeSheet& sheet, glm::dvec2 foot, const GridLayout& layout) {
   const glm::dvec2 least = sheet.centre - 0.5 * sheet.size(),
                    most = sheet.centre + 0.5 * sheet.size();
+  if (layout.rings) {  // the outermost holds all
+    const glm::dvec2 off = glm::abs(foot + layout.fromPlane.foot - sheet.centre);
+    const double within = layout.rings->radius(layout.size.y - 1) + 0.5 * sheet.size();
+    return off.x < within && off.y < within;
+  }
   return std::any_of(layout.rows.begin(), layout.rows.end(), [&](const GridLayout::Row& row) {
     const glm::dvec2 a = foot + row.start, b = a + (layout.size.x - 1.0) * row.step;
     const glm::dvec2 low = glm::min(a, b), high = glm::max(a, b);

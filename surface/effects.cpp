@@ -39,6 +39,10 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
      "the sea has an outline"},
     {Effect::hullMask, "hull_mask", "no sea inside open hulls in the picture",
      "a vessel with a hold or cockpit is in the camera's view"},
+    {Effect::reflection, "reflection", "vessels mirrored in the water around them",
+     "the camera, above the water, sees where a vessel is mirrored"},
+    {Effect::refraction, "refraction", "what of vessels lies under the water, seen through it",
+     "the camera, above the water, sees a vessel's wet part from near"},
 }};
 
 std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }

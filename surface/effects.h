@@ -32,6 +32,8 @@ enum class Effect : std::size_t {
   ripples,
   outline,
   hullMask,
+  reflection,
+  refraction,
   count
 };
 

@@ -12,11 +12,7 @@ void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   program_.setTexture("surfaceMap", 1, targets.surface);
   program_.setTexture("albedoMap", 2, targets.albedo);
   program_.setTexture("distanceMap", 3, targets.distance);
-  if (input.waterIsOn) {
-    program_.setTexture("fresnelTable", 4, textures_.fresnel());
-    program_.setTexture("rippleMap", 5, textures_.ripples());
-    if (input.constants.foamIsOn) program_.setTexture("foamMap", 6, textures_.foam());
-  }
+  if (input.waterIsOn) setWaterTextures(program_, textures_, input);
   glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   glUseProgram(program_);
   glDispatchCompute(static_cast<GLuint>((targets.size.x + 15) / 16),

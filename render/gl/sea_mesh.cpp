@@ -53,7 +53,7 @@ void SeaMesh::fill(const SeaGrid& grid, const Camera& camera) {
   indices_.clear();
   for (int row = 0; row + 1 < size.y; ++row) {
     for (int column = 0; column + 1 < size.x; ++column) {
-      if (!grid.mayBeWet(row, column / SeaGrid::batch)) continue;
+      if (!grid.mayShow(row, column / SeaGrid::batch)) continue;
       const auto a = static_cast<std::uint32_t>(row * size.x + column);
       const std::uint32_t b = a + 1, c = a + size.x, d = c + 1;
       if (outside_[a] & outside_[b] & outside_[c] & outside_[d]) continue;

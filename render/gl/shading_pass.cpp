@@ -63,6 +63,20 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
   for (int i = 0; i < 8; ++i) program.set(element("rippleKept", i).c_str(), c.rippleKept[i]);
 }
 
+void setLocal(const GlProgram& program, const ShadingConstants& c) {
+  program.set("pixelRight", c.pixelRight);
+  program.set("pixelDown", c.pixelDown);
+  program.set("pixelMiddle", c.pixelMiddle);
+  program.set("mirrorIsOn", c.mirrorIsOn ? 1 : 0);
+  program.set("belowIsOn", c.belowIsOn ? 1 : 0);
+  program.set("mirrorLeast", c.mirrorLeast);
+  program.set("mirrorSize", c.mirrorSize);
+  program.set("belowLeast", c.belowLeast);
+  program.set("belowSize", c.belowSize);
+  program.set("mirrorNearest", c.mirrorNearest);
+  program.set("mirrorFarthest", c.mirrorFarthest);
+}
+
 void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {
   program.set("oilLight", c.oilLight);
   program.set("bubbleLight", c.bubbleLight);
@@ -97,6 +111,16 @@ void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {
 
 }  // namespace
 
+void setWaterTextures(const GlProgram& program, ShadingTextures& textures,
+                      const ShadingInput& input) {
+  program.setTexture("fresnelTable", 4, textures.fresnel());
+  program.setTexture("rippleMap", 5, textures.ripples());
+  const ShadingConstants& c = input.constants;
+  if (c.foamIsOn) program.setTexture("foamMap", 6, textures.foam());
+  if (c.mirrorIsOn) program.setTexture("mirrorMap", 7, textures.mirrored(input.local->mirrored()));
+  if (c.belowIsOn) program.setTexture("belowMap", 8, textures.below(input.local->below()));
+}
+
 void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("forward", c.forward);
   program.set("right", c.right);
@@ -106,6 +130,7 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("roughestSlope", static_cast<float>(fresnelTableRoughest));
   setLight(program, c);
   setWater(program, c);
+  setLocal(program, c);
   setFoamAndRain(program, c);
 }
 
@@ -119,11 +144,7 @@ void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {
   setShadingConstants(program, input.constants);
   if (input.sky) program.setTexture("dome", 0, textures_.dome(*input.sky));
-  if (which == stencilWater) {
-    program.setTexture("fresnelTable", 4, textures_.fresnel());
-    program.setTexture("rippleMap", 5, textures_.ripples());
-    if (input.constants.foamIsOn) program.setTexture("foamMap", 6, textures_.foam());
-  }
+  if (which == stencilWater) setWaterTextures(program, textures_, input);
   program.setTexture("surfaceMap", 1, targets.surface);
   program.setTexture("albedoMap", 2, targets.albedo);
   program.setTexture("distanceMap", 3, targets.distance);

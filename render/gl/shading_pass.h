@@ -5,6 +5,7 @@
 #include "render/gl/frame_targets.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/shading_textures.h"
+#include "render/local_light.h"
 #include "render/shading/shading_constants.h"
 #include "render/shading/sky_dome.h"
 
@@ -14,9 +15,14 @@ namespace seaway::render {
 struct ShadingInput {
   ShadingConstants constants;
   const SkyDome* sky = nullptr;  ///< null: the sky is switched off
+  const LocalLight* local = nullptr;  ///< read where the constants say so
   bool waterIsOn = false;
   bool objectsAreOn = false;
 };
+
+/// Binds what water is shaded with beside the sky, from unit 4 on.
+void setWaterTextures(const GlProgram& program, ShadingTextures& textures,
+                      const ShadingInput& input);
 
 /// Sets the uniforms of shading_prelude.glsl.
 void setShadingConstants(const GlProgram& program, const ShadingConstants& constants);

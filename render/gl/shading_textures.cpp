@@ -1,5 +1,6 @@
 #include "render/gl/shading_textures.h"
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -76,6 +77,17 @@ GLuint ShadingTextures::foam() {
   glTextureParameteri(foam_, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTextureParameteri(foam_, GL_TEXTURE_WRAP_T, GL_REPEAT);
   return foam_;
+}
+
+GLuint ShadingTextures::fill(const LocalImage& image, Local& local) {
+  if (local.size.x < image.size.x || local.size.y < image.size.y) {
+    // Room to grow by a half, so that a picture that grows a little each frame does not do this.
+    local.size = glm::max(local.size, image.size + image.size / 2);
+    local.texture = makeTexture(GL_RGBA32F, local.size, GL_NEAREST);
+  }
+  glTextureSubImage2D(local.texture, 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT,
+                      image.texels.data());
+  return local.texture;
 }
 
 std::size_t ShadingTextures::skyMemoryBytes() const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/gl/gl_objects.h"
+#include "render/local_image.h"
 #include "render/shading/sky_dome.h"
 
 namespace seaway::render {
@@ -19,11 +20,22 @@ class ShadingTextures {
   /// Made when foam is first shaded.
   GLuint foam();
 
+  /// A picture of LocalLight, filled anew by each call.
+  GLuint mirrored(const LocalImage& image) { return fill(image, mirrored_); }
+  GLuint below(const LocalImage& image) { return fill(image, below_); }
+
   std::size_t skyMemoryBytes() const;
   std::size_t waterMemoryBytes() const;
 
  private:
+  struct Local {
+    GlTexture texture;
+    glm::ivec2 size{0};
+  };
+  static GLuint fill(const LocalImage& image, Local& local);
+
   GlTexture dome_, fresnel_, ripples_, foam_;
+  Local mirrored_, below_;
   int domeVersion_ = 0;
 };
 

@@ -22,6 +22,13 @@ uniform vec2 rippleOrigin[2], rippleAlong[2];
 uniform float rippleTexelsPerMetre[2];
 uniform float rippleKept[8];
 
+uniform vec3 pixelRight, pixelDown;
+uniform vec2 pixelMiddle;
+uniform bool mirrorIsOn, belowIsOn;
+uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
+uniform float mirrorNearest, mirrorFarthest;
+const int mirrorSteps = 6;
+
 uniform bool foamIsOn, rainIsOn;
 uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;
 uniform vec2 whitecapAlong, breakingRamp;
@@ -84,4 +91,37 @@ vec2 roughMirror(float rootCosine, float deviation) {
 }
 float roughArea(float rootCosine, float deviation) {
   return roughFresnel(rootCosine, deviation).z;
+}
+
+uniform sampler2D mirrorMap, belowMap;  // LocalImage: top row first
+
+vec4 localTexel(sampler2D map, vec2 at, vec2 size) {
+  bool inside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, size));
+  return inside ? texelFetch(map, ivec2(at), 0) : vec4(0.0);
+}
+vec3 localLight(sampler2D map, vec2 at, vec2 size, inout float part) {
+  vec2 place = clamp(at, vec2(-2.0), size + 1.0), low = floor(place);
+  vec3 light = vec3(0.0);
+  part = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    vec2 step = vec2(float(i & 1), float(i >> 1));
+    vec4 texel = localTexel(map, low + step, size);
+    vec2 weights = abs(place - low - (1.0 - step));
+    float shown = texel.w > 0.0 ? weights.x * weights.y : 0.0;
+    light += texel.rgb * shown;
+    part += shown;
+  }
+  return light;
+}
+float mirrorNearness(vec2 pixel) {
+  return localTexel(mirrorMap, floor(pixel + 0.5) - mirrorLeast, mirrorSize).w;
+}
+vec3 mirrorLight(vec2 pixel, inout float part) {
+  return localLight(mirrorMap, pixel - mirrorLeast, mirrorSize, part);
+}
+float belowNearness(vec2 pixel) {
+  return localTexel(belowMap, floor(pixel + 0.5) - belowLeast, belowSize).w;
+}
+vec3 belowLight(vec2 pixel, inout float part) {
+  return localLight(belowMap, pixel - belowLeast, belowSize, part);
 }

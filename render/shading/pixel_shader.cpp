@@ -101,12 +101,64 @@ HWY_INLINE Level levelOf(int side, Real level) {
 struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
-  const float* foam;  // null where foam is off
+  const float* foam;                            // null where foam is off
+  const glm::vec4 *mirrorTexels, *belowTexels;  // null where there are none
 
-  HWY_INLINE PixelShader(const ShadingConstants& constants, const std::uint32_t* texels)
-      : ShadingConstants(constants),
-        skyTexels(texels),
-        foam(constants.foamIsOn ? foamTable().texels.data() : nullptr) {}
+  HWY_INLINE explicit PixelShader(const ShadingSources& sources)
+      : ShadingConstants(sources.constants),
+        skyTexels(sources.sky),
+        foam(sources.constants.foamIsOn ? foamTable().texels.data() : nullptr),
+        mirrorTexels(sources.mirrored ? sources.mirrored->texels.data() : nullptr),
+        belowTexels(sources.below ? sources.below->texels.data() : nullptr) {}
+
+  /// First number of a texel of a local picture; where there is none, of any, and `inside` 0.
+  HWY_INLINE VI localTexel(Real column, Real row, glm::vec2 size, Real& inside) const {
+    inside = choose(column >= 0.0f, 1.0f, 0.0f) * choose(row >= 0.0f, 1.0f, 0.0f) *
+             choose(column < size.x, 1.0f, 0.0f) * choose(row < size.y, 1.0f, 0.0f);
+    return hn::ShiftLeft<2>(toInt((row * size.x + column) * inside));
+  }
+  HWY_INLINE Real localNearness(const glm::vec4* texels, glm::vec2 least, glm::vec2 size,
+                                Real2 pixel) const {
+    // Far off pixels are held where their numbers are exact.
+    const Real column = clamp(floor(pixel.x + 0.5f) - least.x, -1.0f, size.x);
+    const Real row = clamp(floor(pixel.y + 0.5f) - least.y, -1.0f, size.y);
+    Real inside;
+    const VI at = localTexel(column, row, size, inside);
+    return gather(&texels[0].w, at) * inside;
+  }
+  HWY_INLINE Real3 localLight(const glm::vec4* texels, glm::vec2 least, glm::vec2 size, Real2 pixel,
+                              Real& part) const {
+    const Real x = clamp(pixel.x - least.x, -2.0f, size.x + 1.0f);
+    const Real y = clamp(pixel.y - least.y, -2.0f, size.y + 1.0f);
+    const Real column = floor(x), row = floor(y);
+    Real3 light(0.0f, 0.0f, 0.0f);
+    part = Real(0.0f);
+    for (int i = 0; i < 4; ++i) {
+      const float across = static_cast<float>(i & 1), along = static_cast<float>(i >> 1);
+      Real inside;
+      const VI at = localTexel(column + across, row + along, size, inside);
+      const Real weight =
+          inside * abs(x - column - (1.0f - across)) * abs(y - row - (1.0f - along));
+      const Real shown = choose(gather(&texels[0].w, at) > 0.0f, weight, 0.0f);
+      light = light +
+              Real3(gather(&texels[0].x, at), gather(&texels[0].y, at), gather(&texels[0].z, at)) *
+                  shown;
+      part = part + shown;
+    }
+    return light;
+  }
+  HWY_INLINE Real mirrorNearness(Real2 pixel) const {
+    return localNearness(mirrorTexels, mirrorLeast, mirrorSize, pixel);
+  }
+  HWY_INLINE Real3 mirrorLight(Real2 pixel, Real& part) const {
+    return localLight(mirrorTexels, mirrorLeast, mirrorSize, pixel, part);
+  }
+  HWY_INLINE Real belowNearness(Real2 pixel) const {
+    return localNearness(belowTexels, belowLeast, belowSize, pixel);
+  }
+  HWY_INLINE Real3 belowLight(Real2 pixel, Real& part) const {
+    return localLight(belowTexels, belowLeast, belowSize, pixel, part);
+  }
 
   HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
     const Level l = levelOf(SkyDome::side, level);
@@ -132,9 +184,8 @@ struct PixelShader : ShadingConstants {
     const Level l = levelOf(ShadingTables::rippleSide, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     const Corners c = wrappedCorners(place, l.side, l.start);
-    const auto texel = [&](int i) HWY_ATTR {
-      return rippleTexel(gather(tables.ripples.data(), c.at[i]));
-    };
+    const auto texel = [&](int i)
+                           HWY_ATTR { return rippleTexel(gather(tables.ripples.data(), c.at[i])); };
     const Real2 a = texel(0), low = a + (texel(1) - a) * c.part.x;
     const Real2 b = texel(2), high = b + (texel(3) - b) * c.part.x;
     const Real scale = sqrt(kept / max(here, 1e-6f)) * (ShadingTables::rippleSpan / 32767.0f);
@@ -214,31 +265,41 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
                   hn::Load(f, span.cover[2] + i));
   }
   if (anyOf(water)) {
-    radiance = choose(water,
-                      shader.waterRadiance(relative, distance, slope,
-                                           hn::Load(f, span.missingSlope + i),
-                                           hn::Load(f, span.height + i), cover),
-                      radiance);
+    radiance =
+        choose(water,
+               shader.waterRadiance(relative, distance, slope, hn::Load(f, span.missingSlope + i),
+                                    hn::Load(f, span.height + i), cover),
+               radiance);
   }
   if (anyOf(underside)) {
     radiance = choose(underside, shader.undersideRadiance(relative, distance, slope), radiance);
   }
   if (anyOf(object)) {
-    const auto load = [&](const float (&from)[3][pixelsPerSpan]) HWY_ATTR {
+    const auto load = [&](const float(&from)[3][pixelsPerSpan]) HWY_ATTR {
       return Real3(hn::Load(f, from[0] + i), hn::Load(f, from[1] + i), hn::Load(f, from[2] + i));
     };
-    radiance = choose(
-        object, shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance)),
-        radiance);
+    radiance =
+        choose(object,
+               shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance)),
+               radiance);
   }
   return radiance;
 }
 
-void ShadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
-               const ToneTable& tones, const PixelSpan& span, std::uint8_t* rgb) {
+void ShadeRadiance(const ShadingSources& sources, const PixelSpan& span, glm::vec4* to) {
+  PixelShader shader(sources);
+  for (int i = 0; i < span.count; i += static_cast<int>(laneCount())) {
+    const Real3 radiance = radianceAt(shader, span, i);
+    hn::StoreInterleaved4(radiance.x.v, radiance.y.v, radiance.z.v, hn::Zero(Floats()), Floats(),
+                          &to[i].x);
+  }
+}
+
+void ShadeSpan(const ShadingSources& sources, const ToneTable& tones, const PixelSpan& span,
+               std::uint8_t* rgb) {
   const hn::Rebind<std::uint8_t, Floats> bytes;
   const int lanes = static_cast<int>(laneCount());
-  PixelShader shader(constants, skyTexels);
+  PixelShader shader(sources);
   alignas(64) std::uint8_t colours[3 * pixelsPerSpan + 3 * 64];
   const auto encode = [&](Real radiance) HWY_ATTR {
     const Real root = sqrt(max(radiance * shader.exposure, 0.0f)) * ToneTable::perRoot;
@@ -256,7 +317,8 @@ void ShadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels
 }
 
 void FillTones(ToneTable& tones) {
-  PixelShader shader(ShadingConstants{}, nullptr);
+  const ShadingConstants constants;
+  PixelShader shader(ShadingSources{constants});
   for (int i = 0; i < ToneTable::steps; ++i) {
     const float root = static_cast<float>(i) / ToneTable::perRoot;
     const Real3 shown = shader.filmic(Real3(glm::vec3(root * root)));
@@ -276,16 +338,20 @@ HWY_AFTER_NAMESPACE();
 namespace seaway::render {
 
 HWY_EXPORT(ShadeSpan);
+HWY_EXPORT(ShadeRadiance);
 HWY_EXPORT(FillTones);
 
-void shadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
-               const PixelSpan& span, std::uint8_t* rgb) {
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance) {
+  HWY_DYNAMIC_DISPATCH(ShadeRadiance)(sources, span, radiance);
+}
+
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb) {
   static const ToneTable tones = [] {
     ToneTable made;
     HWY_DYNAMIC_DISPATCH(FillTones)(made);
     return made;
   }();
-  HWY_DYNAMIC_DISPATCH(ShadeSpan)(constants, skyTexels, tones, span, rgb);
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, tones, span, rgb);
 }
 
 }  // namespace seaway::render

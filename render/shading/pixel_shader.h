@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render/local_image.h"
 #include "render/shading/shading_constants.h"
 
 /// Shading on the processor, a vector of pixels at a time: sea_shading.glsl.h in C++.
@@ -38,9 +39,18 @@ struct PixelSpan {
   alignas(64) float normal[3][pixelsPerSpan], reflectance[3][pixelsPerSpan];
 };
 
-/// sRGB colours of a span's pixels, 3 bytes each. `skyTexels` as SkyDome::texels, null where the
-/// sky is switched off. Pixels do not depend on their place in the span.
-void shadeSpan(const ShadingConstants& constants, const std::uint32_t* skyTexels,
-               const PixelSpan& span, std::uint8_t* rgb);
+/// What a frame is shaded with.
+struct ShadingSources {
+  const ShadingConstants& constants;
+  const std::uint32_t* sky = nullptr;     ///< SkyDome::texels; null: the sky is switched off
+  const LocalImage* mirrored = nullptr;   ///< read where constants.mirrorIsOn
+  const LocalImage* below = nullptr;      ///< read where constants.belowIsOn
+};
+
+/// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb);
+
+/// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);
 
 }  // namespace seaway::render

@@ -5,7 +5,9 @@
 // are the same types (shading_prelude.glsl); in C++ Real is a vector of pixels (lanes-inl.h) and
 // this text is the inside of a class. It keeps to what both understand: no swizzles, `choose`
 // instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
-// roughMirror and roughArea, and rain_rings.glsl.h before this text.
+// roughMirror, roughArea, and of LocalLight's pictures nearness (1/axial distance at a pixel, 0
+// where there is nothing) and light (between pixels, times the part that is covered, which is
+// returned too), and rain_rings.glsl.h before this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
 SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
@@ -40,6 +42,115 @@ SHADER Real3 throughWater(Real3 colour, Real distance) {
   Real3 clear = Real3(exp(-waterExtinction.x * distance), exp(-waterExtinction.y * distance),
                       exp(-waterExtinction.z * distance));
   return mix(Real3(veil), colour, clear);
+}
+
+SHADER Real2 pixelOf(Real3 place, Real axial) {
+  return Real2(dot(place, Real3(pixelRight)) / axial + pixelMiddle.x,
+               dot(place, Real3(pixelDown)) / axial + pixelMiddle.y);
+}
+
+// The ray that a facet mirrors, in the mirrored world, where it goes on below the water.
+SHADER Real3 mirroredOnwards(Real3 toViewer, Real2 facet) {
+  Real3 normal = Real3(-facet.x, -facet.y, Real(1.0f));
+  normal = normal * inversesqrt(dot(normal, normal));
+  Real3 mirrored = normal * (2.0f * dot(normal, toViewer)) - toViewer;
+  return Real3(mirrored.x, mirrored.y, -abs(mirrored.z));
+}
+
+// What of the scene's objects lies on such a ray, times the part of it that shows any: where the ray
+// first lies behind something that lies behind the water's surface.
+SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
+  Real3 light = Real3(0.0f, 0.0f, 0.0f);
+  Real open = Real(1.0f);
+  Real here = dot(relative, Real3(forward));
+  Real surface = 1.0f / max(here, 1e-3f);
+  // Even steps through the distances between which there are objects.
+  Real perMetre = 1.0f / max(dot(onwards, Real3(forward)), 0.02f);
+  Real first = max((mirrorNearest - here) * perMetre, 0.0f);
+  Real step = max((mirrorFarthest - here) * perMetre - first, 0.0f) * (1.0f / float(mirrorSteps));
+  for (int i = 1; i <= mirrorSteps; ++i) {
+    Real3 place = relative + onwards * (first + step * float(i));
+    Real axial = max(dot(place, Real3(forward)), 1e-3f);
+    Real2 pixel = pixelOf(place, axial);
+    Real nearness = mirrorNearness(pixel);
+    Real hit = choose(nearness * axial > 1.0f, open, Real(0.0f));
+    hit = choose(nearness < surface, hit, Real(0.0f));
+    open = open - hit;
+    if (anyOf(hit > 0.0f)) {
+      Real covered = Real(0.0f);
+      light = light + mirrorLight(pixel, covered) * hit;
+      part = part + covered * hit;
+    }
+  }
+  return light;
+}
+
+// Three facets for all that are within the deviation of their slope.
+SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 towards,
+                             Real deviation, INOUT(Real) part) {
+  Real3 light = Real3(0.0f, 0.0f, 0.0f);
+  // All rays end within these pixels.
+  Real here = dot(relative, Real3(forward));
+  Real2 pixel = pixelOf(relative, max(here, 1e-3f));
+  Real top = pixel.y, bottom = pixel.y, left = pixel.x, rightmost = pixel.x;
+  for (int i = -1; i < 2; i += 2) {
+    Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+    Real3 onwards = mirroredOnwards(toViewer, facet);
+    Real reach = max(mirrorFarthest - here, 0.0f) / max(dot(onwards, Real3(forward)), 0.02f);
+    Real3 place = relative + onwards * reach;
+    Real2 end = pixelOf(place, max(dot(place, Real3(forward)), 1e-3f));
+    top = min(top, end.y);
+    bottom = max(bottom, end.y);
+    left = min(left, end.x);
+    rightmost = max(rightmost, end.x);
+  }
+  Real meets = choose(top < mirrorLeast.y + mirrorSize.y, Real(1.0f), Real(0.0f));
+  meets = choose(bottom > mirrorLeast.y - 1.0f, meets, Real(0.0f));
+  meets = choose(left < mirrorLeast.x + mirrorSize.x, meets, Real(0.0f));
+  meets = choose(rightmost > mirrorLeast.x - 1.0f, meets, Real(0.0f));
+  meets = choose(here < mirrorFarthest, meets, Real(0.0f));
+  if (anyOf(meets > 0.0f)) {
+    for (int i = -1; i < 2; ++i) {
+      Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+      float weight = 0.25f;
+      if (i == 0) weight = 0.5f;
+      Real shown = Real(0.0f);
+      light = light + mirroredObjects(relative, mirroredOnwards(toViewer, facet), shown) * weight;
+      part = part + shown * weight;
+    }
+  }
+  return light;
+}
+
+// Adds what of the scene's objects lies under the water to the light that comes up through it.
+// Depths there are apparent ones; the wave's slope shifts what is seen through it by as much of the
+// depth as a slope refracts.
+SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Real2 slope,
+                              Real3 water) {
+  Real axial = dot(relative, Real3(forward));
+  Real perAxial = distance / axial;
+  Real nearness = belowNearness(pixelOf(relative, axial));
+  Real beyond = choose(nearness > 0.0f, 1.0f / max(nearness, 1e-6f) - axial, Real(0.5f)) * perAxial;
+  Real apparent = max(beyond, 0.0f) * max(toViewer.z, 0.05f);
+  Real shift = 0.34f * min(apparent, 4.0f);
+  Real3 place = relative - toViewer * max(beyond, 0.0f) +
+                Real3(slope.x * shift, slope.y * shift, Real(0.0f));
+  Real placeAxial = max(dot(place, Real3(forward)), 1e-3f);
+  Real2 pixel = pixelOf(place, placeAxial);
+  Real there = belowNearness(pixel);
+  Real depth = (1.0f / max(there, 1e-6f) - axial) * perAxial * max(toViewer.z, 0.05f) * 1.34f;
+  Real part = Real(0.0f);
+  Real3 light = belowLight(pixel, part);
+  Real shown = choose(there > 0.0f, Real(1.0f), Real(0.0f));
+  shown = choose(depth > 0.0f, shown, Real(0.0f));
+  Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
+  Real path = max(depth, 0.0f) / steep;
+  Real3 clear = Real3(exp(-waterExtinction.x * path), exp(-waterExtinction.y * path),
+                   exp(-waterExtinction.z * path));
+  Real3 lit = Real3(exp(-waterExtinction.x * max(depth, 0.0f)),
+                     exp(-waterExtinction.y * max(depth, 0.0f)),
+                     exp(-waterExtinction.z * max(depth, 0.0f)));
+  return water - water * clear * (part * shown) + light * clear * lit * shown;
 }
 
 // Unpolarised reflectance; 1 where all is reflected.
@@ -185,7 +296,13 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   // Smooth water lacks short waves, in slopes as in samples.
   Real calm = (1.0f - 0.9f * cover.y) * (1.0f - 0.9f * cover.z);
   Real meanSquare = (missingSlope + hairSlope) * calm * calm;
-  if (ripplesAreOn) meanSquare = meanSquare + addRipples(relative, footprint, calm, slope);
+  Real rippled = Real(0.0f);  // mean square of the ripples in the slope
+  if (ripplesAreOn) {
+    Real left = addRipples(relative, footprint, calm, slope);
+    meanSquare = meanSquare + left;
+    rippled = max(2.0f * rippleDeviation * rippleDeviation * calm * calm - left, 0.0f);
+  }
+  Real2 ripples = slope - waveSlope;
   if (rainIsOn) meanSquare = meanSquare + addRain(relative, footprint, slope);
   // Where the mean slope faces away, what is seen are facets that do not.
   Real2 towards = levelDirection(toViewer);
@@ -205,6 +322,15 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   Real3 mirrored = tilted * (2.0f * dot(tilted, toViewer)) - toViewer;
   mirrored.z = abs(mirrored.z);  // a ray that starts downwards is mirrored once more
   Real3 sky = blurredSky(mirrored, blurLevel(deviation));
+  Real open = Real(1.0f);  // part of what is mirrored that no object hides
+  if (mirrorIsOn) {
+    // Half of a pixel's own ripples, the rest as roughness: edges would break up into dots.
+    Real hidden = Real(0.0f);
+    Real3 objects = roughlyMirrored(relative, toViewer, leaned - 0.5f * ripples, towards,
+                                    sqrt(variance + 0.375f * rippled), hidden);
+    open = 1.0f - hidden;
+    sky = sky * open + objects;
+  }
 
   Real white = Real(0.0f);
   if (foamIsOn) {
@@ -213,8 +339,10 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   }
   // A film of oil reflects half as much again.
   Real mirror = rough.x + 0.5f * cover.z * rough.x * (1.0f - rough.x);
-  Real3 colour = mix(upwelling(toViewer, slope, height, white, cover.z), sky, mirror);
-  if (sunIsOn) colour = colour + glitter(toViewer, slope, variance, rootCosine);
+  Real3 fromBelow = upwelling(toViewer, slope, height, white, cover.z);
+  if (belowIsOn) fromBelow = withObjectsBelow(relative, distance, toViewer, slope, fromBelow);
+  Real3 colour = mix(fromBelow, sky, mirror);
+  if (sunIsOn) colour = colour + glitter(toViewer, slope, variance, rootCosine) * open;
   if (anyOf(white > 0.0f)) {
     Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
                upright;

@@ -11,6 +11,7 @@
 #include "render/ripples.h"
 #include "render/shading/shading_tables.h"
 #include "render/shading/sky_dome.h"
+#include "render/software/screen_triangle.h"
 #include "surface/angles.h"
 #include "surface/constants.h"
 #include "surface/field/lattice_hash.h"
@@ -29,7 +30,8 @@ static_assert(ShadingConstants::rainCellSize == static_cast<float>(Rain::cell) &
 constexpr float floatPi = static_cast<float>(pi);
 constexpr glm::vec3 plainSky(1.2f);  // where the sky is switched off
 constexpr glm::vec3 deepReflectance(0.0050f, 0.0300f, 0.0520f);  // of light below the surface
-constexpr glm::vec3 waterExtinction(0.40f, 0.075f, 0.055f);      // 1/m
+// 1/m, of clear water: 5 % of red, green and blue are left after 4.5, 75 and 300 m (Toman).
+constexpr glm::vec3 clearExtinction = 3.0f / glm::vec3(4.5f, 75.0f, 300.0f);
 constexpr glm::vec3 crestTransmission(0.020f, 0.110f, 0.095f);
 constexpr glm::vec3 foamReflectance(0.52f, 0.55f, 0.56f);        // of white water, not dense
 constexpr glm::vec3 bubbleReflectance(0.010f, 0.055f, 0.062f);
@@ -42,6 +44,10 @@ void setCamera(ShadingConstants& c, const Camera& camera) {
   c.right = glm::vec3(-camera.left() * (halfHeight * camera.aspectRatio()));
   c.up = glm::vec3(camera.up() * halfHeight);
   c.pixelAngle = static_cast<float>(2.0 * halfHeight / camera.size.y);
+  const ScreenProjection projection(camera);
+  c.pixelRight = projection.right;
+  c.pixelDown = projection.down;
+  c.pixelMiddle = projection.middle;
 }
 
 void setLight(ShadingConstants& c, const Lighting& lighting) {
@@ -91,7 +97,7 @@ void setRipples(ShadingConstants& c, const View& view) {
 
 void setWater(ShadingConstants& c, const View& view) {
   const glm::vec3 onSea = c.skyLight + c.sunLight * std::max(c.sunDirection.z, 0.0f) / floatPi;
-  c.waterExtinction = waterExtinction;
+  c.waterExtinction = clearExtinction + static_cast<float>(view.light.turbidity);
   c.deepWater = deepReflectance * onSea;
   c.veil = 1.6f * c.deepWater;
   if (!view.water) return;

@@ -16,6 +16,10 @@ struct ShadingConstants {
   // camera
   glm::vec3 forward{1.0f, 0.0f, 0.0f}, right{0.0f}, up{0.0f};  ///< right, up: half the image plane
   float pixelAngle = 0.0f;                                      ///< rad
+  /// Pixel of a place p from the camera, (0, 0) the top left one's centre: (dot(p, pixelRight),
+  /// dot(p, pixelDown)) / dot(p, forward) + pixelMiddle.
+  glm::vec3 pixelRight{0.0f}, pixelDown{0.0f};
+  glm::vec2 pixelMiddle{0.0f};
   bool cameraIsUnderWater = false;
   // light
   bool sunIsOn = false, skyIsOn = false;
@@ -34,6 +38,12 @@ struct ShadingConstants {
   glm::vec3 veil{0.0f};             ///< radiance of water itself, seen from inside
   glm::vec3 crestSky{0.0f}, crestSun{0.0f};  ///< light through crests
   float crestScale = 0.0f;                   ///< 1/m
+  // scene objects by way of the water (LocalLight)
+  bool mirrorIsOn = false, belowIsOn = false;
+  glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
+  glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
+  static constexpr int mirrorSteps = 6;
+  float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer
   float hairSlope = 0.0f;         ///< mean-square slope of what is finer than ripples

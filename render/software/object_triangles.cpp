@@ -2,42 +2,127 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "render/fresnel.h"
 #include "render/scene_object.h"
 
 namespace seaway::render {
 
-void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& camera) {
+namespace {
+
+/// The corners on one side of a level, as many as four; how many.
+int cutAtLevel(const glm::vec3 (&corners)[3], float level, float upwards, glm::vec3 (&out)[4]) {
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3 here = corners[i], next = corners[(i + 1) % 3];
+    const float depth = upwards * (here.z - level), nextDepth = upwards * (next.z - level);
+    if (depth >= 0.0f) out[count++] = here;
+    if ((depth >= 0.0f) != (nextDepth >= 0.0f)) {
+      out[count] = here + (next - here) * (depth / (depth - nextDepth));
+      out[count++].z = level;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+void ObjectTriangles::clear() {
   triangles_.clear();
   faces_.clear();
-  const ScreenProjection projection(camera);
+}
+
+void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& camera) {
+  clear();
   for (const SceneObject& object : objects) {
-    if (!inView(object, camera)) continue;
-    const glm::mat3 rotation(glm::mat3_cast(object.worldFromBody));
-    const glm::vec3 position(relativePosition(object, camera));
-    for (const Mesh::Part& part : object.mesh->parts) {
-      for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3) {
-        glm::vec3 corners[3];
-        for (int k = 0; k < 3; ++k) corners[k] = rotation * part.vertices[i + k] + position;
-        ScreenTriangle projected[2];
-        const int count = projectTriangle(corners, projection, projected);
-        if (count == 0) continue;
-        glm::vec3 normal = faceNormal(corners[0], corners[1], corners[2]);
-        if (glm::dot(normal, corners[0]) > 0.0f) normal = -normal;  // seen from inside
-        faces_.push_back({normal, part.colour});
-        for (int k = 0; k < count; ++k) {
-          projected[k].object = static_cast<std::uint32_t>(faces_.size());
-          triangles_.push_back(projected[k]);
-        }
+    if (inView(object, camera)) add(object, camera, nullptr);
+  }
+}
+
+void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& camera,
+                           WaterSide side, std::span<const double> levels) {
+  clear();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const double level = levels[i];
+    SceneObject seen = objects[i];
+    if (side == WaterSide::mirrored) seen.position.z = 2.0 * level - seen.position.z;
+    if (!std::isfinite(level) || !inView(seen, camera)) continue;
+    const double origin = relativePosition(objects[i], camera).z - objects[i].position.z;
+    const Half half{side, static_cast<float>(origin + level)};
+    add(objects[i], camera, &half);
+  }
+}
+
+void ObjectTriangles::add(const SceneObject& object, const Camera& camera, const Half* half) {
+  const ScreenProjection projection(camera);
+  const glm::mat3 rotation(glm::mat3_cast(object.worldFromBody));
+  const glm::vec3 position(relativePosition(object, camera));
+  for (const Mesh::Part& part : object.mesh->parts) {
+    for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3) {
+      glm::vec3 corners[3];
+      for (int k = 0; k < 3; ++k) corners[k] = rotation * part.vertices[i + k] + position;
+      const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour};
+      if (!half) {
+        add(corners, face, projection, false);
+        continue;
+      }
+      const bool mirrored = half->side == WaterSide::mirrored;
+      glm::vec3 kept[4];
+      const int count = cutAtLevel(corners, half->level, mirrored ? 1.0f : -1.0f, kept);
+      const float scale = mirrored ? -1.0f : static_cast<float>(1.0 / seaWaterIndex);
+      for (int k = 0; k < count; ++k) kept[k].z = half->level + scale * (kept[k].z - half->level);
+      for (int k = 2; k < count; ++k) {
+        add({kept[0], kept[k - 1], kept[k]}, face, projection, mirrored);
       }
     }
   }
 }
 
+/// `mirrored` corners turn the other way.
+void ObjectTriangles::add(const glm::vec3 (&corners)[3], const Face& face,
+                          const ScreenProjection& projection, bool mirrored) {
+  ScreenTriangle projected[2];
+  const int count = projectTriangle(corners, projection, projected);
+  if (count == 0) return;
+  const float away = glm::dot(faceNormal(corners[0], corners[1], corners[2]), corners[0]);
+  const bool seenFromInside = (mirrored ? -away : away) > 0.0f;
+  faces_.push_back({seenFromInside ? -face.normal : face.normal, face.colour});
+  for (int k = 0; k < count; ++k) {
+    projected[k].object = static_cast<std::uint32_t>(faces_.size());
+    triangles_.push_back(projected[k]);
+  }
+}
+
 void ObjectTriangles::raster(Strip& strip) const {
   for (const ScreenTriangle& triangle : triangles_) rasterTriangle(triangle, strip);
+}
+
+std::pair<float, float> ObjectTriangles::axialRange() const {
+  double least = 1e30, most = 0.0;
+  for (const ScreenTriangle& t : triangles_) {
+    for (const double inverse : t.inverse) {
+      least = std::min(least, 1.0 / inverse);
+      most = std::max(most, 1.0 / inverse);
+    }
+  }
+  return {static_cast<float>(least), static_cast<float>(most)};
+}
+
+PixelBox ObjectTriangles::boxIn(glm::ivec2 picture) const {
+  glm::dvec2 least(picture), most(-1.0);
+  for (const ScreenTriangle& t : triangles_) {
+    for (int k = 0; k < 3; ++k) {
+      least = glm::min(least, glm::dvec2(t.x[k], t.y[k]));
+      most = glm::max(most, glm::dvec2(t.x[k], t.y[k]));
+    }
+  }
+  const glm::dvec2 size(picture);
+  const glm::ivec2 from(glm::clamp(glm::floor(least), glm::dvec2(0.0), size));
+  return {from,
+          glm::max(from, glm::ivec2(glm::clamp(glm::ceil(most) + 1.0, glm::dvec2(0.0), size)))};
 }
 
 PixelBox ObjectTriangles::boxIn(const Strip& strip) const {

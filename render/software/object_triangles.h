@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/pixel_box.h"
@@ -11,14 +12,31 @@
 
 namespace seaway::render {
 
+/// A part of an object, and where light by way of the water shows it.
+enum class WaterSide {
+  mirrored,  ///< what stands above the water, z → 2h − z
+  below,     ///< what is under it, depths divided by the index of refraction
+};
+
 /// Scene objects as triangles in the picture, and how each is shaded.
 class ObjectTriangles {
  public:
   void fill(std::span<const SceneObject> objects, const Camera& camera);
+  /// One side of the objects, cut at the water's height at each, m above still water. Those that are
+  /// not finite stand ashore: nothing of them.
+  void fill(std::span<const SceneObject> objects, const Camera& camera, WaterSide side,
+            std::span<const double> levels);
+  void clear();
+  bool empty() const { return triangles_.empty(); }
   void raster(Strip& strip) const;
   std::span<const ScreenTriangle> triangles() const { return triangles_; }
 
-  /// Pixels of the strip that the triangles may touch.
+  /// Least and largest axial distance, m.
+  std::pair<float, float> axialRange() const;
+
+  /// Pixels of a picture that the triangles may touch.
+  PixelBox boxIn(glm::ivec2 picture) const;
+  /// Pixels of the strip that they may touch.
   PixelBox boxIn(const Strip& strip) const;
 
   /// Makes those pixels of the span that show an object ones to be shaded so. `which` as
@@ -31,6 +49,14 @@ class ObjectTriangles {
   struct Face {
     glm::vec3 normal, colour;
   };
+  struct Half {
+    WaterSide side;
+    float level;  // relative to the camera, m
+  };
+  void add(const SceneObject& object, const Camera& camera, const Half* half);
+  void add(const glm::vec3 (&corners)[3], const Face& face, const ScreenProjection& projection,
+           bool mirrored);
+
   std::vector<ScreenTriangle> triangles_;
   std::vector<Face> faces_;  // of object number − 1
 };

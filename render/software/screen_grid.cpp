@@ -37,7 +37,7 @@ void ScreenGrid::fill(const SeaGrid& grid, const Camera& camera) {
   for (int row = 0; row + 1 < size_.y; ++row) {
     for (int batch = 0; batch < batchesPerRow_; ++batch) {
       Extent& extent = extents_[static_cast<std::size_t>(row) * batchesPerRow_ + batch];
-      if (!grid.mayBeWet(row, batch)) {
+      if (!grid.mayShow(row, batch)) {
         extent = {1.0f, 0.0f};
         continue;
       }

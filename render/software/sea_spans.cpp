@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "render/software/sea_spans.cpp"
 #include "hwy/foreach_target.h"
 #include "render/shading/lanes-inl.h"
+#include "render/software/ring_place-inl.h"
 
 #ifndef SEAWAY_SPAN_INPUT
 #define SEAWAY_SPAN_INPUT
@@ -26,6 +27,7 @@ struct SpanInput {
   const float* rowStep;
   glm::ivec2 size;
   Projector::GridFromPlane grid;
+  std::optional<RingLaw> rings;
   float cameraHeight, pixelAngle;
   bool cameraIsUnderWater;
 };
@@ -47,7 +49,18 @@ struct GridPlace {
   Real u, v, columnsPerMetre, rowsPerMetre;
 };
 
+HWY_INLINE GridPlace ringedPlace(const SpanInput& in, Real2 relative) {
+  const RingPlace place = ringPlace(*in.rings, in.size,
+                                    {relative.x - static_cast<float>(in.grid.foot.x),
+                                     relative.y - static_cast<float>(in.grid.foot.y)});
+  const Real near = min(floor(place.row), in.size.y - 2.0f);
+  const Real left = min(floor(place.column), in.size.x - 2.0f);
+  return {toInt(near),           toInt(left),          place.column - left,
+          place.row - near,      place.columnsPerMetre, place.rowsPerMetre};
+}
+
 HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
+  if (in.rings) return ringedPlace(in, relative);
   const Projector::GridFromPlane& g = in.grid;
   // Doubles become floats as they meet vectors: places lie near enough to the camera.
   const Real offX = relative.x - g.foot.x, offY = relative.y - g.foot.y;
@@ -188,6 +201,7 @@ HWY_EXPORT(FillSpan);
 
 void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
   gridFromPlane_ = layout.fromPlane;
+  rings_ = layout.rings;
   size_ = grid.size();
   missing_ = grid.missingSlope().data();
   cover_ = grid.cover().empty() ? nullptr : grid.cover().data();
@@ -226,6 +240,7 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
                         rowStep_.data(),
                         size_,
                         gridFromPlane_,
+                        rings_,
                         static_cast<float>(camera.position.z),
                         static_cast<float>(pixelAngle),
                         cameraIsUnderWater};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "render/grid_layout.h"
 #include "render/shading/pixel_shader.h"
 #include "render/software/screen_grid.h"
@@ -26,6 +28,7 @@ class SeaSlopes {
 
  private:
   Projector::GridFromPlane gridFromPlane_;
+  std::optional<RingLaw> rings_;
   glm::ivec2 size_{0};
   std::vector<std::uint32_t> packed_;  // slope x in the low 16 bits, y in the high ones
   std::vector<float> rowStart_, rowStep_;  // m across from the grid's foot; to the next column

@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "render/grid_placement.h"
 #include "render/sea_grid.h"
 #include "render/software/sea_spans.h"
 #include "render/software/strip_technique.h"
+#include "surface/input_error.h"
 
 namespace seaway::render {
 namespace {
@@ -9,8 +12,8 @@ namespace {
 /// A grid of vertices rastered on the processor; how the grid lies on the sea is left open.
 class SoftwareGridTechnique : public StripTechnique {
  protected:
-  void placeGrid(const View& view, const GridLayout& layout) {
-    grid_.fill(view.water->at(view.time), view.camera, layout);
+  void placeGrid(const View& view, const GridLayout& layout, double bound = 0.0) {
+    grid_.fill(view.water->at(view.time), view.camera, layout, bound);
   }
   SeaPlacement placement(const Camera& camera) const {
     return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(camera)};
@@ -82,7 +85,44 @@ class NaiveGrid final : public SoftwareGridTechnique {
   NaiveGridOptions options_;
 };
 
+class RadialGrid final : public SoftwareGridTechnique {
+ public:
+  explicit RadialGrid(const RadialGridOptions& options) : options_(options) {
+    validateRings("radial grid", options.grid, options.innermost);
+    if (!(options.displacement > 0.0 && options.displacement <= 1.0)) {
+      throw InputError("radial grid: displacement must be above 0 and at most 1");
+    }
+  }
+  std::string name() const override { return "radial_grid"; }
+
+ private:
+  bool placeSea(const View& view, FrameStats& stats) override {
+    GridLayout layout;
+    double bound = view.water ? view.water->heightBound(view.time) : 0.0;
+    const auto place = [&](const Projector& projector) {
+      const Camera& aim = view.gridCamera ? *view.gridCamera : view.camera;
+      const glm::dvec2 centre(aim.position - view.camera.position);
+      layout = radialLayout(view.water->waves(), centre, projector.reach(),
+                            {.size = {options_.grid.x + 1, options_.grid.y},
+                             .innermost = options_.innermost,
+                             .displacement = options_.displacement});
+      placeGrid(view, layout, bound);
+      const SeaPlacement placed = placement(view.camera);
+      bound = std::max(bound, 1.05 * placed.largestHeight);
+      return placed;
+    };
+    if (!render::placeSea(view, 1.0, place, stats)) return false;
+    project(view, layout);
+    return true;
+  }
+  RadialGridOptions options_;
+};
+
 }  // namespace
+
+std::unique_ptr<RenderTechnique> makeRadialGrid(const RadialGridOptions& options) {
+  return std::make_unique<RadialGrid>(options);
+}
 
 std::unique_ptr<RenderTechnique> makeSoftwareGrid(const ProjectedGridOptions& options) {
   return std::make_unique<SoftwareProjectedGrid>(options);

@@ -76,8 +76,14 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   if (shore_) shore_->fillSpan(span);
 }
 
+const std::uint32_t* StripTechnique::skyTexels(const ShadingConstants& constants) const {
+  return constants.skyIsOn ? sky_->texels().data() : nullptr;
+}
+
 void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const {
-  shadeSpan(r.constants, r.constants.skyIsOn ? sky_->texels().data() : nullptr, span, rgb);
+  shadeSpan(
+      ShadingSources{r.constants, skyTexels(r.constants), &local_.mirrored(), &local_.below()},
+      span, rgb);
 }
 
 void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
@@ -137,7 +143,9 @@ void StripTechnique::softenObjects(const ShadedRow& r, Frame& frame) {
 void StripTechnique::shade(const View& view, const Shown& shown, const Lighting& lighting,
                            Frame& frame) {
   isSoftened_.assign(shown.objects ? frame.classes.size() : 0, 0);
-  const ShadingConstants constants = shadingConstants(view, lighting);
+  ShadingConstants constants = shadingConstants(view, lighting);
+  local_.fill(view, shown, constants, skyTexels(constants));
+  local_.setConstants(constants);
   tbb::parallel_for(0, view.camera.size.y, [&](int row) {
     shadeRow({view, constants, shown, row}, frame);
   });

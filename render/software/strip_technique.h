@@ -5,6 +5,7 @@
 
 #include "render/hollows.h"
 #include "render/lighting_decision.h"
+#include "render/local_light.h"
 #include "render/render_technique.h"
 #include "render/shore.h"
 #include "render/software/object_edges.h"
@@ -31,6 +32,9 @@ class StripTechnique : public RenderTechnique {
                            bool underWater, PixelSpan& span) const = 0;
   virtual std::size_t seaMemoryBytes() const = 0;
 
+  /// The frame's objects, for a sea that is drawn over a scene.
+  const ObjectTriangles& objects() const { return objects_; }
+
  private:
   /// A row of the picture to be shaded.
   struct ShadedRow {
@@ -45,6 +49,7 @@ class StripTechnique : public RenderTechnique {
   void softenObjects(const ShadedRow& r, Frame& frame);
   void fillSpan(const ShadedRow& r, int first, const float* sea, const std::uint32_t* which,
                 const float* objects, PixelSpan& span) const;
+  const std::uint32_t* skyTexels(const ShadingConstants& constants) const;
   void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const;
 
   ObjectTriangles objects_;
@@ -52,6 +57,7 @@ class StripTechnique : public RenderTechnique {
   std::vector<ObjectEdges> edges_;        // of each strip
   std::vector<std::uint8_t> isSoftened_;  // of each pixel, where objects are shown
   std::optional<SkyDome> sky_;
+  LocalLight local_;
   std::optional<Shore> shore_;         // of this frame
   std::vector<PlacedHollow> hollows_;  // of this frame
 };

@@ -86,7 +86,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
     for (Study& study : studyLayers(studyOptions)) studies.push_back(std::move(study));
     progress.update(4);
     if (!scene.cameras.empty()) {
-      for (Study& study : studyImageGrid(scene, sea, studyOptions)) {
+      for (Study& study : studyImages(scene, sea, studyOptions)) {
         studies.push_back(std::move(study));
       }
     }

@@ -158,7 +158,7 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--normals", options->normals, "EXR file of unit normals, east north up")
       ->check(mustBeNamed);
   command->add_option("--technique", options->technique,
-                      "projected_grid, naive_grid or reference (default projected_grid)");
+                      "projected_grid (default), radial_grid, post_process, naive_grid or reference");
   command->add_option("--variant", options->variant,
                       "of projected_grid: automatic, software, cpu_vertices, gpu, "
                       "cpu_vertices_gpu_normals or marched (default automatic: the fastest)");

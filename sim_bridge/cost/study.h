@@ -61,10 +61,11 @@ std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
 /// costs in MB, in ms to paint and in ns to sample, against finer cells.
 std::vector<Study> studyLayers(const StudyOptions& options);
 
-/// Three studies of the scene's first camera, by grid size, ms a frame: place of the surface in the
+/// Five studies of the scene's first camera, ms a frame. By grid size: place of the surface in the
 /// picture (rms pixels) against a ray-cast, axial depth of water pixels (median m) against a
-/// ray-march, and height of the field where pixels lie (rms m).
-std::vector<Study> studyImageGrid(const Scene& scene, const Sea& sea, const StudyOptions& options);
+/// ray-march, and height of the field where pixels lie (rms m); by technique and the size of its
+/// table, place and depth. None where the camera sees no water.
+std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// Share of a projected grid's vertices that lie outside the picture (median over ordinary views)
 /// against ms to place 256x512 of them, by where its rows end.

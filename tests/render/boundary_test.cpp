@@ -21,6 +21,8 @@ std::vector<Way> allWays(glm::ivec2 grid) {
   std::vector<Way> ways{
       {"software", [=] { return makeSoftwareGrid({.grid = grid}); }},
       {"naive_grid", [=] { return makeNaiveGrid({.grid = grid, .side = 400.0}); }},
+      {"radial_grid", [=] { return makeRadialGrid({.grid = grid}); }},
+      {"post_process", [=] { return makePostProcess({.grid = grid}); }},
       {"reference", [=] { return makeReference({.grid = grid}); }}};
   for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu,
                                     GridVariant::cpuVerticesGpuNormals, GridVariant::marched}) {

@@ -83,7 +83,7 @@ TEST(RenderCommand, RefusesWhatItCannotDrawAndLeavesNothingBehind) {
   const std::string scene = writeScene(folder).string();
   const auto before = folder.files();
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--technique", "cubes"}, "projected_grid, naive_grid, reference"},
+      {{"--technique", "cubes"}, "projected_grid, radial_grid, post_process, naive_grid, reference"},
       {{"--variant", "cubes"}, "automatic, software"},
       {{"--technique", "reference", "--variant", "software"}, "has none"},
       {{"--grid", "1x9"}, "[2, 4096]"},

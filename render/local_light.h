@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/lighting_decision.h"
+#include "render/local_image.h"
+#include "render/software/object_triangles.h"
+
+namespace seaway::render {
+
+/// What of the scene's objects the water around them mirrors, and what of them shows through it, as
+/// pictures for the camera's own view.
+///
+/// Mirrored: what stands above the water, z → 2h − z. Below: what is under it, depths divided by
+/// the index of refraction as they appear from straight above. h is the water's height at each
+/// object, with waves shorter than the object left out; triangles are clipped there, so that
+/// nothing from the other side leaks in. Lit as objects are, without haze and without the water
+/// between.
+class LocalLight {
+ public:
+  /// Decides on both with the view's ledger, and draws what is called for; else holds nothing.
+  /// `constants` are the frame's, without those that this sets. Needs no OpenGL.
+  void fill(const View& view, const Shown& shown, const ShadingConstants& constants,
+            const std::uint32_t* skyTexels);
+
+  const LocalImage& mirrored() const { return mirrored_; }
+  const LocalImage& below() const { return below_; }
+  /// Tells shading what is there.
+  void setConstants(ShadingConstants& constants) const;
+
+ private:
+  void draw(const ObjectTriangles& triangles, glm::ivec2 picture, const ShadingConstants& constants,
+            const std::uint32_t* skyTexels, LocalImage& image) const;
+
+  ObjectTriangles triangles_;
+  LocalImage mirrored_, below_;
+  float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
+};
+
+}  // namespace seaway::render

@@ -1,0 +1,295 @@
+#include "render/local_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <memory>
+
+#include "render/fresnel.h"
+#include "tests/render/seas.h"
+
+// Scene objects by way of the water: mirrored in it, and seen through it.
+namespace seaway::render {
+namespace {
+
+/// A box from (x0, y0, z0) to (x1, y1, z1), outside faces counter-clockwise.
+Mesh box(glm::vec3 least, glm::vec3 most, glm::vec3 colour) {
+  const auto at = [&](int i) {
+    return glm::vec3(i & 1 ? most.x : least.x, i & 2 ? most.y : least.y, i & 4 ? most.z : least.z);
+  };
+  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  Mesh mesh;
+  mesh.parts.push_back({{}, colour});
+  for (const auto& f : faces) {
+    for (const int i : {f[0], f[1], f[2], f[0], f[2], f[3]})
+      mesh.parts[0].vertices.push_back(at(i));
+  }
+  mesh.boundingRadius = std::max(glm::length(least), glm::length(most));
+  return mesh;
+}
+
+/// Still, windless water with `objects`, seen by `camera`.
+struct Stage {
+  WaterSurface water = test::stillSea();
+  Camera camera;
+  std::vector<SceneObject> objects;
+  EffectSettings settings{};
+  double turbidity = 0.0;
+
+  View view(EffectLedger& effects) const {
+    View view;
+    view.water = &water;
+    view.camera = camera;
+    view.light = {
+        .sunElevation = 0.6, .sunDirection = 2.0, .windSpeed = 0.0, .turbidity = turbidity};
+    view.objects = objects;
+    view.effects = &effects;
+    return view;
+  }
+  Frame draw(RenderTechnique& technique) const {
+    EffectLedger effects(settings);
+    return technique.draw(view(effects));
+  }
+  /// The pictures alone.
+  LocalLight light() const {
+    EffectLedger effects(settings);
+    const View seen = view(effects);
+    Lighting lighting;
+    lighting.waterIsOn = true;
+    lighting.sunDirection = sunDirectionOf(seen);
+    lighting.sunIsOn = true;
+    LocalLight local;
+    local.fill(seen, {.water = true, .objects = true}, shadingConstants(seen, lighting), nullptr);
+    return local;
+  }
+};
+
+glm::dvec2 pixelOf(const Camera& camera, glm::dvec3 place) {
+  const glm::dvec3 p = place - camera.position;
+  const double perPixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
+  const double axial = glm::dot(p, camera.forward());
+  return 0.5 * glm::dvec2(camera.size) - 0.5 +
+         glm::dvec2(-glm::dot(p, camera.left()), -glm::dot(p, camera.up())) / (perPixel * axial);
+}
+
+/// Pixels that differ between two pictures by more than `least` of 255 in some channel, as a box.
+struct Changed {
+  glm::ivec2 least{1 << 20}, most{-1};
+  std::size_t count = 0;
+};
+Changed changed(const Frame& a, const Frame& b, int least, PixelClass of = PixelClass::water) {
+  Changed found;
+  for (int y = 0; y < a.colour.size.y; ++y) {
+    for (int x = 0; x < a.colour.size.x; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * a.colour.size.x + x;
+      if (a.classes[i] != of) continue;
+      int largest = 0;
+      for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
+        largest = std::max(largest, std::abs(int{a.colour.rgb[c]} - int{b.colour.rgb[c]}));
+      }
+      if (largest <= least) continue;
+      ++found.count;
+      found.least = glm::min(found.least, glm::ivec2(x, y));
+      found.most = glm::max(found.most, glm::ivec2(x, y));
+    }
+  }
+  return found;
+}
+
+Stage pole(const Mesh& mesh) {
+  Stage stage;
+  stage.camera = test::cameraAt({0, 0, 4.0}, -8.0, 0.0, 45.0, {400, 300});
+  stage.camera.worldFromCamera = attitude(0.0, -0.14, 0.0);
+  stage.objects = {{&mesh, {30.0, 1.0, 0.0}, {1, 0, 0, 0}}};
+  return stage;
+}
+
+TEST(LocalLight, APoleIsMirroredWhereTheMirroredCameraSeesIt) {
+  const Mesh mesh = box({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
+  Stage stage = pole(mesh);
+  stage.settings[static_cast<std::size_t>(Effect::refraction)] = EffectSetting::off;
+  Stage without = stage;
+  without.settings[static_cast<std::size_t>(Effect::reflection)] = EffectSetting::off;
+  for (const bool inGl : {false, true}) {
+    const auto technique = inGl ? makeProjectedGrid(test::sharedContext(), {.grid = {128, 256}})
+                                : makeSoftwareGrid({.grid = {128, 256}});
+    const Changed c = changed(stage.draw(*technique), without.draw(*technique), 2);
+    // By the mirrored corners, on water that drops by 0.07 mm at 30 m.
+    glm::dvec2 least(1e9), most(-1e9);
+    for (const double x : {29.7, 30.3}) {
+      for (const double y : {0.7, 1.3}) {
+        for (const double z : {0.0, -3.0}) {
+          least = glm::min(least, pixelOf(stage.camera, {x, y, z}));
+          most = glm::max(most, pixelOf(stage.camera, {x, y, z}));
+        }
+      }
+    }
+    // What the nearer side hides of the water between it and the farther one does not show.
+    const double waterline = pixelOf(stage.camera, {29.7, 1.0, 0.0}).y;
+    EXPECT_NEAR(c.least.x, least.x, 1.0) << inGl;
+    EXPECT_NEAR(c.most.x, most.x, 1.0) << inGl;
+    EXPECT_NEAR(c.most.y, most.y, 1.0) << inGl;
+    EXPECT_NEAR(c.least.y, waterline, 1.0) << inGl;
+    // The whole of it: a column and a row of rims less.
+    const glm::dvec2 size(most.x - least.x, most.y - waterline);
+    EXPECT_GT(static_cast<double>(c.count), 0.8 * size.x * size.y) << inGl;
+  }
+}
+
+TEST(LocalLight, NothingBelowTheWaterLeaksIntoTheMirror) {
+  const Mesh mesh = box({-1.0, -1.0, -3.0}, {1.0, 1.0, -0.2}, glm::vec3(0.9f));
+  Stage stage = pole(mesh);
+  EXPECT_TRUE(stage.light().mirrored().empty());
+  EXPECT_FALSE(stage.light().below().empty());
+  // A box that stands half in the water: whatever is mirrored lies below the plane.
+  const Mesh half = box({-1.0, -1.0, -3.0}, {1.0, 1.0, 2.0}, glm::vec3(0.9f));
+  stage = pole(half);
+  const LocalLight light = stage.light();
+  const auto heights = [&](const LocalImage& image) {
+    double least = 1e9, most = -1e9;
+    for (int y = 0; y < image.size.y; ++y) {
+      for (int x = 0; x < image.size.x; ++x) {
+        const glm::vec4 texel = image.texels[static_cast<std::size_t>(y) * image.size.x + x];
+        if (texel.w == 0.0f) continue;
+        const glm::dvec3 ray = stage.camera.rayThrough(glm::dvec2(image.least + glm::ivec2(x, y)));
+        const double range = 1.0 / (texel.w * glm::dot(ray, stage.camera.forward()));
+        least = std::min(least, stage.camera.position.z + range * ray.z);
+        most = std::max(most, stage.camera.position.z + range * ray.z);
+      }
+    }
+    return glm::dvec2(least, most);
+  };
+  // A pixel at 30 m is 0.08 m high: rims are those of its centre; and the sea drops 0.07 mm.
+  const glm::dvec2 mirrored = heights(light.mirrored());
+  EXPECT_LE(mirrored.y, 1e-3);
+  EXPECT_NEAR(mirrored.x, -2.0, 0.1);
+  const glm::dvec2 below = heights(light.below());
+  EXPECT_LE(below.y, 1e-3);
+  EXPECT_NEAR(below.x, -3.0 / seaWaterIndex, 0.1);
+}
+
+TEST(LocalLight, SeenStraightDownThingsLieAtTheirDepthOverTheIndex) {
+  const Mesh mesh = box({-2.0, -2.0, -1.0}, {2.0, 2.0, 0.0}, glm::vec3(0.8f));
+  Stage stage;
+  stage.camera = test::cameraAt({0, 0, 5.0}, -90.0, 0.0, 30.0, {101, 101});
+  stage.objects = {{&mesh, {0.0, 0.0, -4.0}, {1, 0, 0, 0}}};
+  const LocalImage below = stage.light().below();
+  const glm::ivec2 middle = glm::ivec2(50, 50) - below.least;
+  const glm::vec4 texel =
+      below.texels[static_cast<std::size_t>(middle.y) * below.size.x + middle.x];
+  EXPECT_NEAR(1.0 / texel.w, 5.0 + 4.0 / seaWaterIndex, 1e-5 * 8.0);  // floats of 8 m
+}
+
+TEST(LocalLight, RedIsGoneAfterFourAndAHalfMetresOfClearWater) {
+  EffectLedger effects;
+  Stage stage;
+  stage.camera = test::cameraAt({0, 0, 5.0}, -30.0);
+  const View view = stage.view(effects);
+  const ShadingConstants c = shadingConstants(view, {});
+  EXPECT_NEAR(std::exp(-c.waterExtinction.r * 4.5), 0.05, 0.0005);  // e⁻³ is 0.0498
+  EXPECT_NEAR(std::exp(-c.waterExtinction.g * 75.0), 0.05, 0.0005);
+  EXPECT_NEAR(std::exp(-c.waterExtinction.b * 300.0), 0.05, 0.0005);
+}
+
+/// Mean colour of the picture's middle, [0, 255].
+glm::dvec3 middleColour(const Frame& frame) {
+  glm::dvec3 sum(0.0);
+  const glm::ivec2 size = frame.colour.size;
+  for (int y = size.y / 2 - 5; y < size.y / 2 + 5; ++y) {
+    for (int x = size.x / 2 - 5; x < size.x / 2 + 5; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        sum[c] += frame.colour.rgb[3 * (static_cast<std::size_t>(y) * size.x + x) + c] / 100.0;
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(LocalLight, WhiteThingsTurnGreenBlueAndDarkAsTheySink) {
+  const Mesh mesh = box({-3.0, -3.0, -0.5}, {3.0, 3.0, 0.0}, glm::vec3(0.8f));
+  Stage stage;
+  stage.camera = test::cameraAt({0, 0, 5.0}, -90.0, 0.0, 30.0, {101, 101});
+  const auto technique = makeSoftwareGrid({.grid = {64, 64}});
+  const glm::dvec3 water = middleColour(stage.draw(*technique));
+  glm::dvec3 before(256.0);
+  for (const double depth : {0.2, 2.0, 8.0}) {
+    stage.objects = {{&mesh, {0.0, 0.0, -depth}, {1, 0, 0, 0}}};
+    const glm::dvec3 colour = middleColour(stage.draw(*technique));
+    std::printf("%.1f m: %.0f %.0f %.0f\n", depth, colour.r, colour.g, colour.b);
+    EXPECT_LT(colour.r, before.r);
+    EXPECT_GT(colour.g, water.g);
+    before = colour;
+  }
+  EXPECT_GT(before.g - water.g, 4.0 * (before.r - water.r));  // hardly any red is left at 8 m
+  stage.turbidity = 2.0;
+  const glm::dvec3 murky = middleColour(stage.draw(*technique));
+  EXPECT_LT(glm::length(murky - water), 2.0);  // two of 255: nothing of it is seen
+}
+
+TEST(LocalLight, NothingIsHeldOrDrawnUnlessCalledFor) {
+  const Mesh mesh = box({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
+  const auto states = [&](Stage stage) {
+    EffectLedger effects(stage.settings);
+    const auto technique = makeSoftwareGrid({.grid = {64, 64}});
+    technique->draw(stage.view(effects));
+    const auto report = effects.report();
+    for (const Effect effect : {Effect::reflection, Effect::refraction}) {
+      const EffectReport& r = report[static_cast<std::size_t>(effect)];
+      EXPECT_EQ(r.state == EffectState::on, r.memoryBytes > 0) << r.reason;
+    }
+    return std::pair(report[static_cast<std::size_t>(Effect::reflection)].state,
+                     report[static_cast<std::size_t>(Effect::refraction)].state);
+  };
+  using enum EffectState;
+  EXPECT_EQ(states(pole(mesh)), std::pair(on, on));
+  Stage empty = pole(mesh);
+  empty.objects.clear();
+  EXPECT_EQ(states(empty), std::pair(idle, idle));
+  Stage away = pole(mesh);
+  away.camera.worldFromCamera = attitude(3.1, -0.14, 0.0);
+  EXPECT_EQ(states(away), std::pair(idle, idle));
+  Stage under = pole(mesh);
+  under.camera.position.z = -1.0;
+  EXPECT_EQ(states(under), std::pair(idle, idle));
+  Stage far = pole(mesh);
+  far.objects[0].position.x = 900.0;
+  EXPECT_EQ(states(far), std::pair(on, idle));
+  Stage flying = pole(mesh);
+  flying.objects[0].position.z = 2.5;
+  EXPECT_EQ(states(flying), std::pair(on, idle));
+  Stage off = pole(mesh);
+  off.settings[static_cast<std::size_t>(Effect::reflection)] = EffectSetting::off;
+  EXPECT_EQ(states(off).first, EffectState::off);
+}
+
+TEST(LocalLightHard, CamerasInTheWaterPlaneAndThingsAshoreDrawNumbers) {
+  const Mesh mesh = box({-2.0, -1.0, -1.0}, {2.0, 1.0, 2.0}, glm::vec3(0.6f));
+  const auto technique = makeSoftwareGrid({.grid = {64, 128}});
+  for (const double height : {0.0, 1e-9, 1e-3, 4.0}) {
+    Stage stage = pole(mesh);
+    stage.camera.position.z = height;
+    stage.camera.worldFromCamera = attitude(0.0, 0.0, 0.0);
+    for (const double away : {0.5, 3.0, 30.0}) {  // inside of it, next to it, off
+      stage.objects[0].position = {away, 0.2, 0.3};
+      const Frame frame = stage.draw(*technique);
+      EXPECT_EQ(std::count_if(frame.depth.metres.begin(), frame.depth.metres.end(),
+                              [](float d) { return std::isnan(d); }),
+                0);
+      for (const LocalImage& image : {stage.light().mirrored(), stage.light().below()}) {
+        for (const glm::vec4& texel : image.texels) ASSERT_TRUE(std::isfinite(texel.w + texel.x));
+      }
+    }
+  }
+  Stage ashore = pole(mesh);
+  const std::vector<OutlinePolygon> pond{{{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}}}};
+  ashore.water.setOutline(std::make_shared<const WaterOutline>(pond));
+  EXPECT_TRUE(ashore.light().mirrored().empty());
+}
+
+}  // namespace
+}  // namespace seaway::render
