@@ -54,9 +54,9 @@ void HostViews::set(const ViewControl& control) {
 
 bool HostViews::set(const ViewDefinition& definition) {
   if (definition.orthographic || definition.mirror != 0) return false;
-  const bool known = views_.contains(definition.view) || views_.size() < mostViews;
-  if (!known) return false;
-  HostView wanted = views_[definition.view];
+  const auto known = views_.find(definition.view);
+  if (known == views_.end() && views_.size() >= mostViews) return false;
+  HostView wanted = known == views_.end() ? HostView{} : known->second;
   take(definition.leftEnabled, wanted.left_deg, definition.left);
   take(definition.rightEnabled, wanted.right_deg, definition.right);
   take(definition.bottomEnabled, wanted.bottom_deg, definition.bottom);

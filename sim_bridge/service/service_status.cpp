@@ -58,15 +58,26 @@ void ServiceStatus::note() {
   if (past_.size() > moments) past_.pop_front();
 }
 
-// Wakes run beside the pictures, so that a picture's own account does not have them.
+// Wakes and queries run beside the pictures, so that a picture's own account does not have them.
 std::vector<EffectReport> ServiceStatus::effects() const {
   std::vector<EffectReport> all = frames_.effects();
   if (all.empty()) all = EffectLedger(sea_.scene()->effects).report();
+  const auto scene = sea_.scene();
+  const auto tell = [&](Effect effect, bool on, const char* why, const char* whyNot) {
+    EffectReport& report = all[static_cast<std::size_t>(effect)];
+    if (report.state == EffectState::off) return;
+    report.state = on ? EffectState::on : EffectState::idle;
+    report.reason = on ? why : whyNot;
+  };
+  const auto surface = sea_.surface();
+  tell(Effect::waves, !surface->waves().octaves().empty(), "whoever asks is told of them",
+       "flat water: the field has no octaves");
+  all[static_cast<std::size_t>(Effect::waves)].memoryBytes = surface->waves().memoryBytes();
+  tell(Effect::vesselMotion, !scene->vessels.empty(),
+       "vessels lie on the water where no host places them", "the scene has no vessel");
   EffectReport& wake = all[static_cast<std::size_t>(Effect::wake)];
   const ServedSea::WakeFigures wakes = sea_.wakeFigures();
-  if (sea_.scene()->effects[static_cast<std::size_t>(Effect::wake)] == EffectSetting::off) {
-    return all;
-  }
+  if (wake.state == EffectState::off) return all;
   wake.state = wakes.running > 0 ? EffectState::on : EffectState::idle;
   wake.memoryBytes = wakes.memoryBytes;
   wake.reason = wakes.running > 0 ? std::to_string(wakes.running) + " wakes near those who ask"

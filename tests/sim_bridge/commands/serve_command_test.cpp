@@ -113,12 +113,12 @@ TEST(ServeCommandHard, ASceneIsReloadedUnderLoadAndABadOneChangesNothing) {
       EXPECT_FALSE(other.receive(hangs).empty());
     }
   });
-  folder.write("scene.yaml", test::sceneText({{"hm0_m: 1.12", "hm0_m: -1"}}));
+  folder.write("scene.yaml", seaway::bridge::test::sceneText({{"hm0_m: 1.12", "hm0_m: -1"}}));
   service.send(SIGHUP);
   service.awaitText("the scene stays as it was");
   service.awaitText("hm0_m");
   EXPECT_EQ(height(), before);
-  folder.write("scene.yaml", test::sceneText({{"hm0_m: 1.12", "hm0_m: 2.24"}}));
+  folder.write("scene.yaml", seaway::bridge::test::sceneText({{"hm0_m: 1.12", "hm0_m: 2.24"}}));
   service.send(SIGHUP);
   service.awaitText("is loaded anew");
   // Twice the height: the same octaves of twice the amplitude, in single precision.
