@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,11 +24,11 @@
 
 // What gRPC adds to the evaluation of 1000 points on 12 octaves.
 //   grpc_bench [ROUNDS] [--clients N] [--seconds S] [--server-cores N]
-// First a host by itself: cases in turn, so that each has the machine as the others have it; medians,
-// 10th and 99th percentiles, and what is above the bare evaluation. Then N hosts at once, from a process of
-// their own: calls a second beside the same evaluation without gRPC on as many cores, and what of the
-// processors the server takes for a call. With --server-cores the server has the first N cores, its
-// hosts the others.
+// On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds of
+// call in turn with the bare evaluation, so that each has the machine as the others have it. Then N
+// hosts at once: calls a second beside the same evaluation without gRPC on as many cores, and what of
+// the processors the server takes for a call. With --server-cores the server has the first N cores,
+// its hosts the others.
 namespace {
 
 using namespace seaway;
@@ -91,31 +92,25 @@ v1::SampleRequest request(bool all) {
   return made;
 }
 
-/// A sea behind a socket and a port.
+/// A sea behind an address.
 struct Server {
-  Server() {
-    for (auto* server : {&local, &network}) {
-      rpc::addWaterService(*server, host);
-      server->bind();
-      server->start();
-    }
+  explicit Server(const std::string& address)
+      : rpc({.option = "grpc_bench",
+             .address = address,
+             .credentials = grpc::InsecureServerCredentials(),
+             .token = ""},
+            sea.meters().of("grpc")) {
+    rpc::addWaterService(rpc, host);
+    rpc.bind();
+    rpc.start();
   }
-  ~Server() {
-    local.stop();
-    network.stop();
-  }
-  static rpc::RpcServerOptions at(const std::string& address) {
-    return {.option = "grpc_bench",
-            .address = address,
-            .credentials = grpc::InsecureServerCredentials(),
-            .token = ""};
-  }
+  ~Server() { rpc.stop(); }
+
   Scene scene = sceneOfTwelveOctaves();
   ServedSea sea{scene, buildSea(scene)};
   FrameMaker frames{sea};
   rpc::WaterHost host{sea, ServeClock::parse("--clock", "host"), frames};
-  rpc::RpcServer local{at(path), sea.meters().of("local")};
-  rpc::RpcServer network{at("127.0.0.1:0"), sea.meters().of("network")};
+  rpc::RpcServer rpc;
 };
 
 std::unique_ptr<v1::Water::Stub> stubOf(const std::string& address) {
@@ -175,53 +170,6 @@ class Evaluation {
   std::vector<SurfaceSample> samples_;
 };
 
-struct Case {
-  std::string name;
-  std::function<void(double t)> run;
-  std::vector<double> us{};
-};
-
-std::vector<Case> casesOf(Server& server, bool all) {
-  auto evaluation = std::make_shared<Evaluation>(server.sea, all);
-  std::vector<Case> cases{{"evaluation", [=](double t) { evaluation->run(t); }}};
-  const auto add = [&](const std::string& name, const std::string& address, bool streaming) {
-    auto host = std::make_shared<Host>(address, streaming);
-    auto asked = std::make_shared<v1::SampleRequest>(request(all));
-    cases.push_back({name, [=](double t) {
-                       asked->set_time_s(t);
-                       host->ask(*asked);
-                     }});
-  };
-  add("stream, unix socket", server.local.address(), true);
-  add("stream, loopback", server.network.address(), true);
-  add("unary, unix socket", server.local.address(), false);
-  add("unary, loopback", server.network.address(), false);
-  return cases;
-}
-
-void printOneHost(Server& server, int rounds, bool all) {
-  std::vector<Case> cases = casesOf(server, all);
-  const int warmUp = std::min(200, rounds);
-  for (int round = -warmUp; round < rounds; ++round) {
-    for (Case& one : cases) {
-      const auto begun = Clock::now();
-      one.run(0.01 * round);
-      if (round >= 0) one.us.push_back(1e6 * secondsSince(begun));
-    }
-  }
-  std::printf("%zu points, 12 octaves, %s; %d rounds; us\n%-22s %8s %8s %8s %20s\n", points,
-              all ? "heights, slopes and rates" : "heights", rounds, "", "p10", "median", "p99",
-              "above evaluation");
-  double evaluation = 0.0;
-  for (Case& one : cases) {
-    std::sort(one.us.begin(), one.us.end());
-    const double median = one.us[one.us.size() / 2];
-    if (&one == cases.data()) evaluation = median;
-    std::printf("%-22s %8.1f %8.1f %8.1f %20.1f\n", one.name.c_str(), one.us[one.us.size() / 10],
-                median, one.us[one.us.size() * 99 / 100], median - evaluation);
-  }
-}
-
 /// Runs `work` on so many threads for a while; times that it was done, a second.
 double rateOf(int threads, double seconds, const std::function<void(std::atomic<bool>&,
                                                                     std::atomic<long>&)>& work) {
@@ -239,23 +187,126 @@ double rateOf(int threads, double seconds, const std::function<void(std::atomic<
   return rate;
 }
 
-/// The hosts' process: told by a byte what to do, answers with a rate.
-void serveAsHosts(int in, int out, const Options& options) {
-  char kind = 0;
-  while (read(in, &kind, 1) == 1) {
-    const double rate = rateOf(options.clients, options.seconds, [&](auto& ending, auto& done) {
-      Host host(path, kind == 's');
-      const v1::SampleRequest asked = request(false);
+/// What the hosts' process is asked to do.
+struct Order {
+  char address[128] = {};
+  int clients = 1;
+  int calls = 0;         // of one host, each timed; 0: as many as go in `seconds`
+  double seconds = 0.0;
+  bool streaming = false, all = false;
+};
+
+template <class Values>
+void sendAll(int to, const Values* values, std::size_t count) {
+  const char* bytes = reinterpret_cast<const char*>(values);
+  for (std::size_t left = sizeof(Values) * count; left > 0;) {
+    const ssize_t sent = write(to, bytes, left);
+    if (sent <= 0) std::_Exit(1);
+    bytes += sent;
+    left -= static_cast<std::size_t>(sent);
+  }
+}
+
+template <class Values>
+bool receiveAll(int from, Values* values, std::size_t count) {
+  char* bytes = reinterpret_cast<char*>(values);
+  for (std::size_t left = sizeof(Values) * count; left > 0;) {
+    const ssize_t got = read(from, bytes, left);
+    if (got <= 0) return false;
+    bytes += got;
+    left -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// The hosts' process: obeys until the pipe is closed; answers with times in us, or a rate.
+void serveAsHosts(int in, int out) {
+  std::map<std::string, std::unique_ptr<Host>> hosts;  // those whose calls are timed
+  for (Order order; receiveAll(in, &order, 1);) {
+    v1::SampleRequest asked = request(order.all);
+    if (order.calls > 0) {
+      std::unique_ptr<Host>& host = hosts[order.address + std::to_string(order.streaming)];
+      if (!host) host = std::make_unique<Host>(order.address, order.streaming);
+      std::vector<double> us;
+      for (int i = 0; i < order.calls; ++i) {
+        asked.set_time_s(0.01 * i);
+        const auto begun = Clock::now();
+        host->ask(asked);
+        us.push_back(1e6 * secondsSince(begun));
+      }
+      sendAll(out, us.data(), us.size());
+      continue;
+    }
+    hosts.clear();
+    const double rate = rateOf(order.clients, order.seconds, [&](auto& ending, auto& done) {
+      Host host(order.address, order.streaming);
       while (!ending) {
         host.ask(asked);
         ++done;
       }
     });
-    if (write(out, &rate, sizeof rate) != sizeof rate) return;
+    sendAll(out, &rate, 1);
   }
 }
 
-void printManyHosts(Server& server, const Options& options, int in, int out) {
+/// The other end of it.
+struct Hosts {
+  int in, out;
+
+  std::vector<double> timed(const std::string& address, bool streaming, bool all, int calls) {
+    Order order{.calls = calls, .streaming = streaming, .all = all};
+    std::snprintf(order.address, sizeof order.address, "%s", address.c_str());
+    sendAll(out, &order, 1);
+    std::vector<double> us(static_cast<std::size_t>(calls));
+    if (!receiveAll(in, us.data(), us.size())) fail("no hosts");
+    return us;
+  }
+  double rate(const std::string& address, bool streaming, const Options& options) {
+    Order order{.clients = options.clients, .seconds = options.seconds, .streaming = streaming};
+    std::snprintf(order.address, sizeof order.address, "%s", address.c_str());
+    sendAll(out, &order, 1);
+    double rate = 0.0;
+    if (!receiveAll(in, &rate, 1)) fail("no hosts");
+    return rate;
+  }
+};
+
+void print(const char* name, std::vector<double>& us, double evaluation) {
+  std::sort(us.begin(), us.end());
+  const double median = us[us.size() / 2];
+  std::printf("%-22s %8.1f %8.1f %8.1f", name, us[us.size() / 10], median, us[us.size() * 99 / 100]);
+  if (evaluation > 0.0) std::printf(" %20.1f", median - evaluation);
+  std::printf("\n");
+}
+
+void printOneHost(Server& server, Hosts hosts, int rounds, bool all) {
+  constexpr int block = 50;
+  Evaluation evaluation(server.sea, all);
+  std::vector<double> bare, stream, unary;
+  const std::string address = server.rpc.address();
+  const auto add = [](std::vector<double>& to, const std::vector<double>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  for (int round = -4 * block; round < rounds; round += block) {
+    if (round == 0) bare.clear(), stream.clear(), unary.clear();
+    for (int i = 0; i < block; ++i) {
+      const auto begun = Clock::now();
+      evaluation.run(0.01 * i);
+      bare.push_back(1e6 * secondsSince(begun));
+    }
+    add(stream, hosts.timed(address, true, all, block));
+    add(unary, hosts.timed(address, false, all, block));
+  }
+  std::printf("%zu points, 12 octaves, %s, %s; us\n%-22s %8s %8s %8s %20s\n", points,
+              all ? "heights, slopes and rates" : "heights", address.c_str(), "", "p10", "median",
+              "p99", "above evaluation");
+  print("evaluation", bare, 0.0);
+  const double median = bare[bare.size() / 2];
+  print("stream", stream, median);
+  print("unary", unary, median);
+}
+
+void printManyHosts(Server& server, Hosts hosts, const Options& options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
   const double bare = rateOf(cores, options.seconds, [&](auto& ending, auto& done) {
     Evaluation evaluation(server.sea, false);
@@ -266,16 +317,14 @@ void printManyHosts(Server& server, const Options& options, int in, int out) {
   });
   std::printf("%d hosts at once, server on %d cores, hosts on %s\n", options.clients, cores,
               options.serverCores > 0 ? "others" : "the same");
-  std::printf("%-22s %10.0f calls/s %26.1f us of a core\n", "evaluation", bare, 1e6 * cores / bare);
-  for (const char kind : {'s', 'u'}) {
+  std::printf("%-22s %10.0f calls/s %31.1f us of a core\n", "evaluation", bare, 1e6 * cores / bare);
+  for (const bool streaming : {true, false}) {
     const double before = processorSeconds();
     const auto begun = Clock::now();
-    double rate = 0.0;
-    if (write(out, &kind, 1) != 1 || read(in, &rate, sizeof rate) != sizeof rate) fail("no hosts");
+    const double rate = hosts.rate(server.rpc.address(), streaming, options);
     const double each = (processorSeconds() - before) / (rate * secondsSince(begun));
-    std::printf("%-22s %10.0f calls/s, %3.0f %% of evaluation; %5.1f us of a core\n",
-                kind == 's' ? "streams, unix socket" : "unary, unix socket", rate,
-                100.0 * rate / bare, 1e6 * each);
+    std::printf("%-22s %10.0f calls/s, %3.0f %% of evaluation; %8.1f us of a core\n",
+                streaming ? "streams" : "unary", rate, 100.0 * rate / bare, 1e6 * each);
   }
 }
 
@@ -303,21 +352,22 @@ int main(int argc, char** argv) {
   const pid_t child = fork();
   if (child == 0) {
     close(toHosts[1]);
+    close(fromHosts[0]);
     if (options.serverCores > 0) stayOn(options.serverCores, cores);
-    serveAsHosts(toHosts[0], fromHosts[1], options);
+    serveAsHosts(toHosts[0], fromHosts[1]);
     std::_Exit(0);
   }
-  {
-    std::unique_ptr<Server> alone = std::make_unique<Server>();
-    printOneHost(*alone, options.rounds, false);
-    printOneHost(*alone, options.rounds, true);
-  }
+  close(toHosts[0]);
+  close(fromHosts[1]);
+  const Hosts hosts{fromHosts[0], toHosts[1]};
   if (options.serverCores > 0) stayOn(0, options.serverCores);
-  {
-    Server server;
-    printManyHosts(server, options, fromHosts[0], toHosts[1]);
-    close(toHosts[1]);
+  for (const std::string& address : {path, std::string("127.0.0.1:0")}) {
+    Server server(address);
+    printOneHost(server, hosts, options.rounds, false);
+    printOneHost(server, hosts, options.rounds, true);
+    printManyHosts(server, hosts, options);
   }
+  close(toHosts[1]);
   int status = 0;
   waitpid(child, &status, 0);
   return status;
