@@ -1,5 +1,6 @@
 #include "sim_bridge/shm/sea_host.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -103,11 +104,20 @@ SampleStatus SeaHost::attend(double t, std::uint32_t hull) {
   if (!std::isfinite(t)) return SampleStatus::ok;
   glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
   for (const glm::dvec2 point : points_) {
-    if (!WaveField::serves(point, t)) continue;
+    // NaN is neither less nor more.
     least = glm::min(least, point);
     most = glm::max(most, point);
   }
-  if (least.x > most.x) return SampleStatus::ok;
+  if (!WaveField::serves(least, t) || !WaveField::serves(most, t)) {
+    // Some are too far, or none is anywhere: without those.
+    least = glm::dvec2(std::numeric_limits<double>::infinity()), most = -least;
+    for (const glm::dvec2 point : points_) {
+      if (!WaveField::serves(point, t)) continue;
+      least = glm::min(least, point);
+      most = glm::max(most, point);
+    }
+    if (least.x > most.x) return SampleStatus::ok;
+  }
   const WakeListener listener{0.5 * (least + most), 0.5 * glm::length(most - least), hull};
   return sea_.attend(t, std::span(&listener, 1));
 }
@@ -131,22 +141,35 @@ void SeaHost::sample(const SampleAsked& asked, std::span<const double> x, std::s
 }
 
 void SeaHost::write(const SampleAsked& asked, SampleStatus wakes, const SampleArrays& out) const {
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    out.height[i] = samples_[i].height;
-    out.error[i] = samples_[i].error;
-    out.bound[i] = samples_[i].bound;
-    out.status[i] = static_cast<std::uint32_t>(samples_[i].status | wakes);
+  // Each block stays in the first cache while its arrays are written one after the other.
+  constexpr std::size_t block = 128;
+  for (std::size_t from = 0; from < samples_.size(); from += block) {
+    const std::size_t to = std::min(from + block, samples_.size());
+    for (std::size_t i = from; i < to; ++i) {
+      out.height[i] = samples_[i].height;
+      out.error[i] = samples_[i].error;
+      out.bound[i] = samples_[i].bound;
+      out.status[i] = static_cast<std::uint32_t>(samples_[i].status | wakes);
+    }
+    if (asked.derivatives) writeDerivatives(asked, from, to, out);
+    if (asked.orbitalVelocity) writeOrbitalVelocities(asked, from, to, out);
   }
-  if (!asked.derivatives) return;
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
+}
+
+void SeaHost::writeDerivatives(const SampleAsked& asked, std::size_t from, std::size_t to,
+                               const SampleArrays& out) const {
+  for (std::size_t i = from; i < to; ++i) {
     const SurfaceSample& sample = samples_[i];
     const glm::dvec2 slope = asked.geodetic ? places_[i].trueFromPlane(sample.slope) : sample.slope;
     out.slopeEast[i] = slope.x;
     out.slopeNorth[i] = slope.y;
     out.verticalVelocity[i] = sample.verticalVelocity;
   }
-  if (!asked.orbitalVelocity) return;
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
+}
+
+void SeaHost::writeOrbitalVelocities(const SampleAsked& asked, std::size_t from, std::size_t to,
+                                     const SampleArrays& out) const {
+  for (std::size_t i = from; i < to; ++i) {
     const glm::dvec3 velocity = samples_[i].orbitalVelocity;
     const glm::dvec2 level(velocity.x, velocity.y);
     const glm::dvec2 turned = asked.geodetic ? places_[i].trueFromPlane(level) : level;

@@ -35,6 +35,10 @@ class SeaHost : public HostSea {
   void place(const SampleAsked& asked, std::span<const double> x, std::span<const double> y);
   SampleStatus attend(double t, std::uint32_t hull);
   void write(const SampleAsked& asked, SampleStatus wakes, const SampleArrays& out) const;
+  void writeDerivatives(const SampleAsked& asked, std::size_t from, std::size_t to,
+                        const SampleArrays& out) const;
+  void writeOrbitalVelocities(const SampleAsked& asked, std::size_t from, std::size_t to,
+                              const SampleArrays& out) const;
 
   ServedSea& sea_;
   PlanePlacer placer_;

@@ -228,7 +228,9 @@ static inline seaway_shm_status seaway_shm_await(seaway_shm_client* client, cons
     int late;
     if (exactly ? value == number : (int32_t)(value - number) >= 0) return SEAWAY_SHM_OK;
     if (now - start < spin && now - start < timeout) {
-      seaway_shm_pause();
+      /* Little of the core, which the server may share. */
+      int i;
+      for (i = 0; i < 4 && seaway_shm_load(word) == value; ++i) seaway_shm_pause();
       now = seaway_shm_now();
       continue;
     }

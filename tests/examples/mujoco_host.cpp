@@ -1,6 +1,6 @@
 // A raft under MuJoCo in a process of its own, on the sea that another process serves:
 //   seaway serve configs/scenes/canaveral.yaml --shm sea & mujoco_host sea
-// The water under 32 columns is asked at the time of every Runge-Kutta stage.
+// Water is asked under 32 columns, at every Runge-Kutta stage.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -56,6 +56,5 @@ int main(int argc, char** argv) {
   for (int step = 0; step <= 1000 && status == SEAWAY_SHM_OK; ++step, mj_step(model, data)) {
     if (step % 200 == 0) std::printf("%4.1f s: raft at %+.3f m\n", data->time, data->xpos[5]);
   }
-  if (status != SEAWAY_SHM_OK) std::fprintf(stderr, "%s\n", sea.message);
-  return status == SEAWAY_SHM_OK ? 0 : 1;
+  return status == SEAWAY_SHM_OK ? 0 : (std::fprintf(stderr, "%s\n", sea.message), 1);
 }

@@ -43,7 +43,7 @@ TEST_F(ShmHostileHard, RandomBytesInACellAreAnsweredOrRefusedByItsNumber) {
   Client hostile(name_), other(name_);
   seaway_shm_client& client = hostile.c();
   int answered = 0, refused = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < 4000; ++round) {
     seaway_shm_batch batch;
     ASSERT_EQ(seaway_shm_begin(&client, 1 + random_() % 6, &batch), SEAWAY_SHM_OK);
     batch.request->count = random_() % 2 == 0 ? random_() % 1200 : random_();
@@ -56,8 +56,8 @@ TEST_F(ShmHostileHard, RandomBytesInACellAreAnsweredOrRefusedByItsNumber) {
     ASSERT_EQ(batch.answer->number, batch.number);
     ++(status == SEAWAY_SHM_OK ? answered : refused);
   }
-  EXPECT_GT(answered, 100);
-  EXPECT_GT(refused, 100);
+  EXPECT_GT(answered, 50);
+  EXPECT_GT(refused, 50);
   EXPECT_EQ(sea_.refusals, static_cast<std::uint64_t>(refused));
   expectServed(other, 4.0);
 }
@@ -126,7 +126,7 @@ TEST_F(ShmHostileHard, HostsDoNotBelieveAHeaderThatDoesNotFitItsFile) {
   const seaway_shm_header good = headerFor({.slots = 2, .points = 100, .pixels = 100});
   EXPECT_TRUE(seaway_shm_layout_fits(&good, good.segment_size));
   EXPECT_FALSE(seaway_shm_layout_fits(&good, good.segment_size - 1));
-  for (int round = 0; round < 200000; ++round) {
+  for (int round = 0; round < 40000; ++round) {
     seaway_shm_header bad = good;
     // Offsets and sizes alone: magic and version are looked at elsewhere.
     scribble(&bad.slot_count,
