@@ -135,7 +135,7 @@ void Simulation::disturb(double t, EffectLedger* ledger) {
 
 void Simulation::sampleAt(double t, EffectLedger* ledger) {
   disturb(t, ledger);
-  if (points_.empty()) return;
+  if (vessels_.empty()) return;
   forEachPrescribed([&](const PrescribedVessel& vessel, std::size_t, std::span<SurfaceSample> own) {
     const auto from = static_cast<std::size_t>(own.data() - samples_.data());
     vessel.samplePoints(t, std::span(points_).subspan(from, own.size()));
@@ -146,6 +146,7 @@ void Simulation::sampleAt(double t, EffectLedger* ledger) {
                                                 anyWaves ? "vessels ask for the water under them"
                                                          : "flat water: the field has no octaves");
   if (charged) ledger->holdMemory(Effect::waves, waves.memoryBytes());
+  if (points_.empty()) return;  // free vessels take samples of their own
   EffectTimer timer(charged ? ledger : nullptr, Effect::waves);
   sampleSurface(t);
   requireAfloat(t);

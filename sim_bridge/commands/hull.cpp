@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "sim_bridge/commands/hull_figures.h"
@@ -14,6 +15,7 @@
 #include "sim_bridge/vessel/hull_source.h"
 #include "surface/angles.h"
 #include "surface/hull/hull_repair.h"
+#include "surface/hull/mesh_calibration.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -26,6 +28,11 @@ void requireSane(const HullOptions& o) {
   if (o.mass) requireInRange("--mass", *o.mass, Range::above(0.0), "kg");
   if (o.heel_deg) requireInRange("--heel", *o.heel_deg, Range::within(-180.0, 180.0), "deg");
   if (o.knownVolume) requireInRange("--volume", *o.knownVolume, Range::above(0.0), "m3");
+  if (o.knownWaterplane) {
+    requireInRange("--waterplane", *o.knownWaterplane, Range::above(0.0), "m2");
+    if (!o.knownVolume) throw InputError("--waterplane: needs --volume beside it");
+  }
+  for (const double value : o.distanceAt) requireInRange("--distance", value, Range::any(), "m");
   requireInRange("--voxel", o.voxelSize, Range::atLeast(0.0), "m");
   requireInRange("--hole", o.widestHole, Range::atLeast(0.0), "m");
   for (const double value : o.gravity) requireInRange("--cg", value, Range::any(), "m");
@@ -71,6 +78,28 @@ WaterPlane uprightPlane(const HullOptions& o, const TriangleMesh& mesh, const Me
   }
   throw InputError("--draft: " + numberText(*o.draft) + " m is not below the hull's depth of " +
                    numberText(bounds.size().z) + " m");
+}
+
+/// The mesh with the displacement and waterplane that are known of it.
+TriangleMesh calibratedFile(const HullOptions& o, const TriangleMesh& mesh) {
+  if (!o.knownWaterplane) return mesh;
+  const double waterline = uprightPlane(o, mesh, boundsOf(mesh)).height;
+  const TriangleMesh lowered = moved(mesh, {0.0, 0.0, -waterline});
+  return moved(calibrated(lowered, *o.knownVolume, *o.knownWaterplane), {0.0, 0.0, waterline});
+}
+
+/// Distances from the hull at the points asked for, to a 300th of its longest side; a tenth of it
+/// at the most.
+std::vector<double> distancesOf(const HullOptions& o, const TriangleMesh& mesh) {
+  std::vector<double> distances;
+  if (o.distanceAt.empty()) return distances;
+  const glm::dvec3 size = boundsOf(mesh).size();
+  const double longest = std::max({size.x, size.y, size.z});
+  const HullDistance distance(mesh, longest / 150.0, longest / 10.0);
+  for (std::size_t i = 0; i + 2 < o.distanceAt.size(); i += 3) {
+    distances.push_back(distance.at({o.distanceAt[i], o.distanceAt[i + 1], o.distanceAt[i + 2]}));
+  }
+  return distances;
 }
 
 std::vector<double> heels() {
@@ -126,6 +155,7 @@ int runHull(const HullOptions& options, std::ostream& out) {
   const MeshReport check = checkMesh(mesh);
   requireFloatable(options, check, out);
   if (!check.facesOutward) mesh = turnedInsideOut(mesh);
+  mesh = calibratedFile(options, mesh);
   if (!options.report.empty()) {
     requireWritableFolder(options.report);
     requirePlotter();
@@ -135,10 +165,16 @@ int runHull(const HullOptions& options, std::ostream& out) {
     figures.levers = rightingLevers(figures.body, heels());
   }
   if (!options.report.empty()) writeHullReport(figures, options.report);
+  const std::vector<double> distances = distancesOf(options, mesh);
   if (options.json) {
-    out << asJson(figures).dump(2) << '\n';
+    auto json = asJson(figures);
+    if (!distances.empty()) json["distances_m"] = distances;
+    out << json.dump(2) << '\n';
   } else {
     writeText(figures, out);
+    for (const double distance : distances) {
+      out << "distance from the hull, m, negative inside: " << numberText(distance) << '\n';
+    }
   }
   return 0;
 }
@@ -148,8 +184,8 @@ void addHullCommand(CLI::App& app, ChosenCommand& chosen) {
   auto o = std::make_shared<HullOptions>();
   command
       ->add_option("MESH", o->mesh,
-                   "STL, OBJ or glTF file; or box:L,B,D wigley:L,B,T,FREEBOARD sphere:R "
-                   "spar:D,T,FREEBOARD")
+                   "STL, OBJ or glTF file; or box:L,B,D wigley:L,B,T,FREEBOARD "
+                   "open_wigley:L,B,T,FREEBOARD,WALL sphere:R spar:D,T,FREEBOARD")
       ->required();
   command->add_option("--unit", o->file.metresPerUnit, "metres per unit of the file (default 1)");
   command->add_option("--forward", o->file.forward, "axis of the file to the bow (default +x)");
@@ -166,6 +202,12 @@ void addHullCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--density", o->density, "of the water, kg/m3 (default 1026)");
   command->add_option("--volume", o->knownVolume,
                       "known displacement upright, m3: what the mesh lacks is made up for");
+  command->add_option("--waterplane", o->knownWaterplane,
+                      "its area there, m2, beside --volume: the mesh is widened to meet both");
+  command
+      ->add_option("--distance", o->distanceAt,
+                   "x y z, m, again and again: distance from the hull, negative inside")
+      ->type_size(3);
   command->add_option("--repair", o->repair, "write a watertight mesh (.stl, .obj, .glb); use it");
   command->add_option("--voxel", o->voxelSize, "of the repair, m (default: length/150)");
   command->add_option("--hole", o->widestHole, "widest to be closed, m (default: 4 voxels)");

@@ -20,6 +20,8 @@ struct HullOptions {
   std::vector<double> gravity;               ///< centre of gravity, body frame, m; empty: above B
   double density = 1026.0;                   ///< of the water, kg/m³
   std::optional<double> knownVolume;         ///< displacement at that draft, m³: calibration
+  std::optional<double> knownWaterplane;     ///< its area there, m²; needs knownVolume
+  std::vector<double> distanceAt;            ///< points x y z, body frame, m
   std::string repair;                        ///< file to write a watertight mesh to
   double voxelSize = 0.0, widestHole = 0.0;  ///< m; see RepairSettings
   std::string report;                        ///< folder for report.html and hull.json

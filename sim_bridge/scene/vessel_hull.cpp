@@ -59,7 +59,8 @@ Mapping<VesselHullMesh> hullMeshSchema() {
       text(
           "source", &M::source,
           "STL, OBJ or glTF file, relative to the vessel file; or box:L,B,D wigley:L,B,T,FREEBOARD "
-          "sphere:R spar:D,T,FREEBOARD in m; else the box of `hull`"),
+          "open_wigley:L,B,T,FREEBOARD,WALL sphere:R spar:D,T,FREEBOARD in m; else the box of "
+          "`hull`"),
       integer("triangles", &M::triangles, 50, 100000, "of such a shape, about"),
       number("unit_m", &M::metresPerUnit, "m", Range::above(0.0), "length of the file's unit"),
       choice("forward", &M::forward, axes, "axis of the file to the bow"),

@@ -48,6 +48,27 @@ TEST(HullCommand, KnownDisplacementsAreMetExactly) {
   EXPECT_NEAR(Json::parse(outcome.out)["displacement_m3"], 2.7777778, 1e-9);
 }
 
+TEST(HullCommand, KnownWaterplanesAreMetBesideTheDisplacement) {
+  const Outcome outcome = seaway({"hull", "wigley:10,1,0.625,0.4", "--volume", "2.7777778",
+                                  "--waterplane", "6.6666667", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_NEAR(json["displacement_m3"], 2.7777778, 1e-8);
+  EXPECT_NEAR(json["waterplane_area_m2"], 6.6666667, 1e-6);
+  EXPECT_EQ(seaway({"hull", "box:4,2,1", "--waterplane", "8"}).status, 2);
+}
+
+// Voxels of 4/150 m: half of one.
+TEST(HullCommand, TellsDistancesFromTheHull) {
+  const Outcome outcome = seaway({"hull", "box:4,2,1", "--distance", "0", "0", "-0.4", "--distance",
+                                  "2.2", "0", "0", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["distances_m"].size(), 2u);
+  EXPECT_NEAR(json["distances_m"][0], -0.1, 0.5 * 4.0 / 150.0);
+  EXPECT_NEAR(json["distances_m"][1], 0.2, 0.5 * 4.0 / 150.0);
+}
+
 TEST(HullCommand, ReportsAreSelfContained) {
   const TempFolder folder;
   const Outcome outcome =
