@@ -46,6 +46,11 @@ struct Options {
   int serverCores = 0;  // 0: all, as the hosts have
 };
 
+[[noreturn]] void fail(const char* what) {
+  std::fprintf(stderr, "%s\n", what);
+  std::_Exit(1);
+}
+
 double secondsSince(Clock::time_point begun) {
   return std::chrono::duration<double>(Clock::now() - begun).count();
 }
@@ -57,11 +62,17 @@ double processorSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// Of the cores that this process has, those from one on to before another.
 void stayOn(int from, int to) {
-  cpu_set_t cores;
+  cpu_set_t had, cores;
   CPU_ZERO(&cores);
-  for (int core = from; core < to; ++core) CPU_SET(core, &cores);
-  if (sched_setaffinity(0, sizeof cores, &cores) != 0) std::perror("sched_setaffinity");
+  if (sched_getaffinity(0, sizeof had, &had) != 0) fail("sched_getaffinity");
+  for (int core = 0, place = 0; core < CPU_SETSIZE; ++core) {
+    if (!CPU_ISSET(core, &had)) continue;
+    if (place >= from && place < to) CPU_SET(core, &cores);
+    ++place;
+  }
+  if (sched_setaffinity(0, sizeof cores, &cores) != 0) fail("sched_setaffinity");
 }
 
 Scene sceneOfTwelveOctaves() {
@@ -118,11 +129,6 @@ std::unique_ptr<v1::Water::Stub> stubOf(const std::string& address) {
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return v1::Water::NewStub(
       grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments));
-}
-
-[[noreturn]] void fail(const char* what) {
-  std::fprintf(stderr, "%s\n", what);
-  std::_Exit(1);
 }
 
 /// One host that asks by itself or on a stream.
@@ -307,7 +313,7 @@ void printOneHost(Server& server, Hosts hosts, int rounds, bool all) {
 }
 
 void printManyHosts(Server& server, Hosts hosts, const Options& options) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int cores = rpc::coreCount();
   const double bare = rateOf(cores, options.seconds, [&](auto& ending, auto& done) {
     Evaluation evaluation(server.sea, false);
     while (!ending) {
@@ -347,13 +353,16 @@ int main(int argc, char** argv) {
   const Options options = optionsOf(argc, argv);
   int toHosts[2], fromHosts[2];
   if (pipe(toHosts) != 0 || pipe(fromHosts) != 0) return 1;
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (options.serverCores < 0 || options.serverCores >= rpc::coreCount()) {
+    std::fprintf(stderr, "--server-cores: must leave the hosts some of %d\n", rpc::coreCount());
+    return 2;
+  }
   // Before gRPC has threads.
   const pid_t child = fork();
   if (child == 0) {
     close(toHosts[1]);
     close(fromHosts[0]);
-    if (options.serverCores > 0) stayOn(options.serverCores, cores);
+    if (options.serverCores > 0) stayOn(options.serverCores, rpc::coreCount());
     serveAsHosts(toHosts[0], fromHosts[1]);
     std::_Exit(0);
   }

@@ -155,6 +155,21 @@ TEST(WaterGrpcHard, AMessageBeyondTheTransportsLimitIsRefusedToo) {
   expectServed(water);
 }
 
+TEST(WaterGrpcHard, AMessageSomewhatTooLongIsRefusedWithTheLimitAndCounted) {
+  rpc::RpcServerOptions options;
+  options.mostMessageBytes = 1 << 16;
+  ServedWater water(test::wakelessText(), {}, options);
+  Context context;
+  SampleResponse response;
+  const SampleRequest request = planeRequest(1.0, 5000);  // 16 bytes a point
+  const grpc::Status status = water.stub()->Sample(&context, request, &response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(status.error_message(), "the message has " + std::to_string(request.ByteSizeLong()) +
+                                        " bytes; at most 65536 are allowed");
+  EXPECT_EQ(water.refused(Refusal::tooLarge), 1u);
+  expectServed(water);
+}
+
 TEST(WaterGrpcHard, ADeadlineEndsALargeBatchBetweenItsPieces) {
   rpc::WaterLimits limits;
   limits.points = 2'000'000;
