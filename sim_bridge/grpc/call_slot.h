@@ -18,8 +18,8 @@ namespace seaway::bridge::rpc {
 
 /// What an answerer has done about a request.
 struct Outcome {
-  std::size_t points = 0;  ///< sampled, for the meter
-  bool frame = false;      ///< a picture was drawn
+  std::size_t points = 0;              ///< sampled, for the meter
+  bool frame = false;                  ///< a picture was drawn
   std::chrono::milliseconds again{0};  ///< where not 0, no answer yet: ask again so much later
 };
 
@@ -98,15 +98,14 @@ class CallSlot {
                        std::to_string(host_.mostMessageBytes) + " are allowed")));
     }
     if (!readMessage(received_, request_)) {
-      return refuse(std::make_exception_ptr(RpcFault(
-          grpc::StatusCode::INVALID_ARGUMENT, Refusal::malformed,
-          "the request is no " + request_.GetTypeName())));
+      return refuse(
+          std::make_exception_ptr(RpcFault(grpc::StatusCode::INVALID_ARGUMENT, Refusal::malformed,
+                                           "the request is no " + request_.GetTypeName())));
     }
     const Lane lane = answerer_.lane(request_);
     if (lane == Lane::here) return answer();
     if (host_.lanes.post(lane, [this] { answer(); })) return;
-    refuse(std::make_exception_ptr(RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED,
-                                            Refusal::tooLarge,
+    refuse(std::make_exception_ptr(RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
                                             "too many large requests are waiting; try again")));
   }
 

@@ -27,8 +27,7 @@ class HealthAnswerer {
     if (!service.empty() && std::find(names.begin(), names.end(), service) == names.end()) {
       return HealthCheckResponse::SERVICE_UNKNOWN;
     }
-    return server_->host().ending ? HealthCheckResponse::NOT_SERVING
-                                  : HealthCheckResponse::SERVING;
+    return server_->host().ending ? HealthCheckResponse::NOT_SERVING : HealthCheckResponse::SERVING;
   }
 
  private:

@@ -39,7 +39,9 @@ class ReflectionAnswerer {
     response.set_valid_host(request.host());
     *response.mutable_original_request() = request;
     switch (request.message_request_case()) {
-      case Request::kListServices: list(*response.mutable_list_services_response()); break;
+      case Request::kListServices:
+        list(*response.mutable_list_services_response());
+        break;
       case Request::kFileByFilename: {
         const std::string& name = request.file_by_filename();
         give(pool.FindFileByName(name), "file " + name, response);
@@ -50,7 +52,8 @@ class ReflectionAnswerer {
         give(pool.FindFileContainingSymbol(name), "symbol " + name, response);
         break;
       }
-      default: give(nullptr, "extension", response);
+      default:
+        give(nullptr, "extension", response);
     }
     return {};
   }

@@ -52,7 +52,8 @@ void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options)
 }  // namespace
 
 RpcServer::RpcServer(RpcServerOptions options, Meter& meter)
-    : options_(std::move(options)), host_(meter, options_.token, static_cast<std::size_t>(options_.mostMessageBytes)) {}
+    : options_(std::move(options)),
+      host_(meter, options_.token, static_cast<std::size_t>(options_.mostMessageBytes)) {}
 
 RpcServer::~RpcServer() { stop(); }
 

@@ -19,7 +19,8 @@ struct RpcServerOptions {
   std::shared_ptr<grpc::ServerCredentials> credentials;
   std::string token;  ///< that calls must carry; empty: none
   /// Of one message from a host. Longer ones are refused with RESOURCE_EXHAUSTED; those of more
-  /// than twice that gRPC refuses by itself before it has all of them, and the meter does not count.
+  /// than twice that gRPC refuses by itself before it has all of them, and the meter does not
+  /// count.
   int mostMessageBytes = 64 << 20;
   /// A host that does not answer for so long, s, is gone, and twice that where it is silent.
   double patience = 10.0;

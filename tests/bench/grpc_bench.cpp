@@ -24,11 +24,11 @@
 
 // What gRPC adds to the evaluation of 1000 points on 12 octaves.
 //   grpc_bench [ROUNDS] [--clients N] [--seconds S] [--server-cores N]
-// On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds of
-// call in turn with the bare evaluation, so that each has the machine as the others have it. Then N
-// hosts at once: calls a second beside the same evaluation without gRPC on as many cores, and what of
-// the processors the server takes for a call. With --server-cores the server has the first N cores,
-// its hosts the others.
+// On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds
+// of call in turn with the bare evaluation, so that each has the machine as the others have it.
+// Then N hosts at once: calls a second beside the same evaluation without gRPC on as many cores,
+// and what of the processors the server takes for a call. With --server-cores the server has the
+// first N cores, its hosts the others.
 namespace {
 
 using namespace seaway;
@@ -177,8 +177,8 @@ class Evaluation {
 };
 
 /// Runs `work` on so many threads for a while; times that it was done, a second.
-double rateOf(int threads, double seconds, const std::function<void(std::atomic<bool>&,
-                                                                    std::atomic<long>&)>& work) {
+double rateOf(int threads, double seconds,
+              const std::function<void(std::atomic<bool>&, std::atomic<long>&)>& work) {
   std::atomic<bool> ending{false};
   std::atomic<long> done{0};
   std::vector<std::thread> all;
@@ -197,7 +197,7 @@ double rateOf(int threads, double seconds, const std::function<void(std::atomic<
 struct Order {
   char address[128] = {};
   int clients = 1;
-  int calls = 0;         // of one host, each timed; 0: as many as go in `seconds`
+  int calls = 0;  // of one host, each timed; 0: as many as go in `seconds`
   double seconds = 0.0;
   bool streaming = false, all = false;
 };
@@ -280,7 +280,8 @@ struct Hosts {
 void print(const char* name, std::vector<double>& us, double evaluation) {
   std::sort(us.begin(), us.end());
   const double median = us[us.size() / 2];
-  std::printf("%-22s %8.1f %8.1f %8.1f", name, us[us.size() / 10], median, us[us.size() * 99 / 100]);
+  std::printf("%-22s %8.1f %8.1f %8.1f", name, us[us.size() / 10], median,
+              us[us.size() * 99 / 100]);
   if (evaluation > 0.0) std::printf(" %20.1f", median - evaluation);
   std::printf("\n");
 }
@@ -339,10 +340,14 @@ Options optionsOf(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : "0";
-    if (word == "--clients") options.clients = std::atoi(value), ++i;
-    else if (word == "--seconds") options.seconds = std::atof(value), ++i;
-    else if (word == "--server-cores") options.serverCores = std::atoi(value), ++i;
-    else options.rounds = std::max(1, std::atoi(word.c_str()));
+    if (word == "--clients")
+      options.clients = std::atoi(value), ++i;
+    else if (word == "--seconds")
+      options.seconds = std::atof(value), ++i;
+    else if (word == "--server-cores")
+      options.serverCores = std::atoi(value), ++i;
+    else
+      options.rounds = std::max(1, std::atoi(word.c_str()));
   }
   return options;
 }
