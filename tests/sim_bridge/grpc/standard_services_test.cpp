@@ -20,9 +20,15 @@ using grpc::reflection::v1alpha::ServerReflectionResponse;
 using test::Context;
 using test::ServedWater;
 
+rpc::RpcServerOptions withToken() {
+  rpc::RpcServerOptions options;
+  options.token = "secret";
+  return options;
+}
+
 // What hosts without a token meet where one is asked for.
 struct Guarded : ServedWater {
-  Guarded() : ServedWater(test::wakelessText(), {}, {.token = "secret"}) {}
+  Guarded() : ServedWater(test::wakelessText(), {}, withToken()) {}
 
   grpc::StatusCode check(const std::string& service, HealthCheckResponse& response) const {
     Context context;
