@@ -262,9 +262,9 @@ TEST(LocalLight, NothingIsHeldOrDrawnUnlessCalledFor) {
   Stage flying = pole(mesh);
   flying.objects[0].position.z = 2.5;
   EXPECT_EQ(states(flying), std::pair(on, idle));
-  Stage off = pole(mesh);
-  off.settings[static_cast<std::size_t>(Effect::reflection)] = EffectSetting::off;
-  EXPECT_EQ(states(off).first, EffectState::off);
+  Stage switchedOff = pole(mesh);
+  switchedOff.settings[static_cast<std::size_t>(Effect::reflection)] = EffectSetting::off;
+  EXPECT_EQ(states(switchedOff).first, EffectState::off);
 }
 
 TEST(LocalLightHard, CamerasInTheWaterPlaneAndThingsAshoreDrawNumbers) {
