@@ -23,7 +23,8 @@ class Arrival {
 /// What the calls of a server share.
 class CallHost {
  public:
-  CallHost(Meter& counts, std::string token) : meter(counts), token_(std::move(token)) {}
+  CallHost(Meter& counts, std::string token, std::size_t mostBytes)
+      : meter(counts), mostMessageBytes(mostBytes), token_(std::move(token)) {}
 
   /// Throws RpcFault unless the call carries the token that is asked for.
   void authorise(const grpc::ServerContext& context) const;
@@ -34,6 +35,7 @@ class CallHost {
   void waitForSlots();
 
   Meter& meter;
+  const std::size_t mostMessageBytes;  ///< of one message from a host
   grpc::ServerCompletionQueue* queue = nullptr;
   Lanes lanes;
   std::atomic<bool> ending{false};  ///< no new call is listened for, streams end

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "sim_bridge/grpc/call_host.h"
@@ -17,9 +18,9 @@ namespace seaway::bridge::rpc {
 
 /// What an answerer has done about a request.
 struct Outcome {
-  std::size_t points = 0;  ///< sampled, for the meter
-  bool frame = false;      ///< a picture was drawn
-  bool again = false;      ///< not yet: ask again in a few milliseconds
+  std::size_t points = 0;              ///< sampled, for the meter
+  bool frame = false;                  ///< a picture was drawn
+  std::chrono::milliseconds again{0};  ///< where not 0, no answer yet: ask again so much later
 };
 
 /// A step of a call: what is done when the completion queue brings it back.
@@ -41,6 +42,7 @@ class Step : public Arrival {
 ///   Lane lane(const Request&)                              where it is answered
 ///   Outcome answer(const Request&, Response&, const CallWatch&)   throws what faultOf knows
 ///   void ended()                                           the call is over; all of it may go
+///   isForAnybody, where it has that                        needs no token, counts on no meter
 /// and is used by one thread at a time.
 ///
 /// The call itself is in `Derived`, which has sendAnswer() and sendRefusal(status). Two events end
@@ -77,7 +79,7 @@ class CallSlot {
     watch_.setDeadline(context_->deadline());
     begun_ = std::chrono::steady_clock::now();
     try {
-      host_.authorise(*context_);
+      if (!isForAnybody) host_.authorise(*context_);
       return true;
     } catch (...) {
       refuse(std::current_exception());
@@ -89,17 +91,36 @@ class CallSlot {
   void take() {
     begun_ = std::chrono::steady_clock::now();
     bloated_ = bloated_ || received_.Length() > mostKept;
+    if (received_.Length() > host_.mostMessageBytes) {
+      return refuse(std::make_exception_ptr(
+          RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
+                   "the message has " + std::to_string(received_.Length()) + " bytes; at most " +
+                       std::to_string(host_.mostMessageBytes) + " are allowed")));
+    }
     if (!readMessage(received_, request_)) {
-      return refuse(std::make_exception_ptr(RpcFault(
-          grpc::StatusCode::INVALID_ARGUMENT, Refusal::malformed,
-          "the request is no " + request_.GetTypeName())));
+      return refuse(
+          std::make_exception_ptr(RpcFault(grpc::StatusCode::INVALID_ARGUMENT, Refusal::malformed,
+                                           "the request is no " + request_.GetTypeName())));
     }
     const Lane lane = answerer_.lane(request_);
     if (lane == Lane::here) return answer();
     if (host_.lanes.post(lane, [this] { answer(); })) return;
-    refuse(std::make_exception_ptr(RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED,
-                                            Refusal::tooLarge,
+    refuse(std::make_exception_ptr(RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
                                             "too many large requests are waiting; try again")));
+  }
+
+  void answer() {
+    try {
+      watch_.check();
+      response_.Clear();
+      const Outcome outcome = answerer_.answer(request_, response_, watch_);
+      if (outcome.again.count() > 0 && !host_.ending) return wait(outcome.again);
+      writeMessage(response_, sent_);
+      count(outcome);
+    } catch (...) {
+      return refuse(std::current_exception());
+    }
+    derived().sendAnswer();
   }
 
   void statusSent(bool) { leave(); }
@@ -111,30 +132,17 @@ class CallSlot {
 
  private:
   static constexpr std::size_t mostKept = std::size_t{1} << 20;  // bytes
+  static constexpr bool isForAnybody = requires { Answerer::isForAnybody; };
 
   Derived& derived() { return static_cast<Derived&>(*this); }
 
-  void answer() {
-    try {
-      watch_.check();
-      response_.Clear();
-      const Outcome outcome = answerer_.answer(request_, response_, watch_);
-      if (outcome.again && !host_.ending) return wait();
-      writeMessage(response_, sent_);
-      count(outcome);
-    } catch (...) {
-      return refuse(std::current_exception());
-    }
-    derived().sendAnswer();
-  }
-
-  void wait() {
-    alarm_.Set(host_.queue, std::chrono::system_clock::now() + std::chrono::milliseconds(2),
-               &again_);
+  void wait(std::chrono::milliseconds time) {
+    alarm_.Set(host_.queue, std::chrono::system_clock::now() + time, &again_);
   }
   void waited(bool) { answer(); }
 
   void count(const Outcome& outcome) {
+    if (isForAnybody) return;
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
     host_.meter.answered(outcome.points, taken.count());
     if (outcome.frame) host_.meter.frameSent(taken.count());
@@ -142,7 +150,7 @@ class CallSlot {
 
   void refuse(std::exception_ptr thrown) {
     const RpcFault fault = faultOf(std::move(thrown));
-    host_.meter.refused(fault.counted);
+    if (!isForAnybody) host_.meter.refused(fault.counted);
     derived().sendRefusal(statusOf(fault));
   }
 

@@ -14,8 +14,8 @@ class CallWatch {
   void setDeadline(std::chrono::system_clock::time_point deadline) { deadline_ = deadline; }
   void cancel() { cancelled_ = true; }
 
-  /// Throws RpcFault where the host has gone or its deadline has passed: to be called between pieces
-  /// of work of about a millisecond.
+  /// Throws RpcFault where the host has gone or its deadline has passed: to be called between
+  /// pieces of work of about a millisecond.
   void check() const {
     const bool late = std::chrono::system_clock::now() >= deadline_;
     if (!late && !cancelled_) return;

@@ -22,9 +22,12 @@ void describeOctave(const OctaveEntry& entry, v1::Octave& octave) {
 
 const char* settingName(EffectSetting setting) {
   switch (setting) {
-    case EffectSetting::automatic: return "auto";
-    case EffectSetting::on: return "on";
-    case EffectSetting::off: return "off";
+    case EffectSetting::automatic:
+      return "auto";
+    case EffectSetting::on:
+      return "on";
+    case EffectSetting::off:
+      return "off";
   }
   return "";
 }

@@ -1,5 +1,7 @@
 #include "sim_bridge/grpc/lanes.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <asio/post.hpp>
 #include <asio/thread_pool.hpp>
@@ -9,15 +11,23 @@
 namespace seaway::bridge::rpc {
 
 struct Lanes::Threads {
-  explicit Threads(std::size_t count) : pool(count) {}
+  explicit Threads(int count) : pool(static_cast<std::size_t>(count)) {}
   ~Threads() { pool.join(); }
 
   std::atomic<int> waiting{0};
   asio::thread_pool pool;
 };
 
+int coreCount() {
+  cpu_set_t ours;
+  if (sched_getaffinity(0, sizeof ours, &ours) != 0) {  // more cores than a cpu_set_t has
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  }
+  return CPU_COUNT(&ours);
+}
+
 Lanes::Lanes()
-    : large_(std::make_unique<Threads>(std::max(2u, std::thread::hardware_concurrency()))),
+    : large_(std::make_unique<Threads>(std::max(2, coreCount()))),
       slow_(std::make_unique<Threads>(2)) {}
 
 Lanes::~Lanes() = default;

@@ -12,6 +12,9 @@ enum class Lane {
   slow,   ///< by two threads for what takes a second: pictures, fits
 };
 
+/// Cores that the calling thread may run on; at least 1.
+int coreCount();
+
 /// The threads behind those lanes. Thread-safe.
 class Lanes {
  public:

@@ -51,11 +51,10 @@ Lane PointSampler::laneOf(const SampleRequest& request) {
 void PointSampler::readPoints(const SampleRequest& request, Wanted& wanted) const {
   wanted.points = pointsOf(request);
   if (wanted.points > host_->limits.points) {
-    throw RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
-                   "points: " + std::to_string(wanted.points) +
-                       " are not allowed in one request; at most " +
-                       std::to_string(host_->limits.points) +
-                       " (--grpc-most-points): split the batch");
+    throw RpcFault(
+        grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
+        "points: " + std::to_string(wanted.points) + " are not allowed in one request; at most " +
+            std::to_string(host_->limits.points) + " (--grpc-most-points): split the batch");
   }
   wanted.geodetic = request.has_geodetic();
   if (wanted.geodetic) {
@@ -78,12 +77,24 @@ void PointSampler::readQuantities(const SampleRequest& request, Wanted& wanted) 
   wanted.height = request.quantities().empty();
   for (const int quantity : request.quantities()) {
     switch (quantity) {
-      case v1::QUANTITY_HEIGHT: wanted.height = true; break;
-      case v1::QUANTITY_SLOPE: wanted.slope = true; break;
-      case v1::QUANTITY_VERTICAL_VELOCITY: wanted.verticalVelocity = true; break;
-      case v1::QUANTITY_ORBITAL_VELOCITY: wanted.velocity = true; break;
-      case v1::QUANTITY_PRESSURE: wanted.pressure = true; break;
-      case v1::QUANTITY_ERROR: wanted.error = true; break;
+      case v1::QUANTITY_HEIGHT:
+        wanted.height = true;
+        break;
+      case v1::QUANTITY_SLOPE:
+        wanted.slope = true;
+        break;
+      case v1::QUANTITY_VERTICAL_VELOCITY:
+        wanted.verticalVelocity = true;
+        break;
+      case v1::QUANTITY_ORBITAL_VELOCITY:
+        wanted.velocity = true;
+        break;
+      case v1::QUANTITY_PRESSURE:
+        wanted.pressure = true;
+        break;
+      case v1::QUANTITY_ERROR:
+        wanted.error = true;
+        break;
       default:
         throw badValue("quantities", static_cast<double>(quantity), "must be in [1, 6]");
     }

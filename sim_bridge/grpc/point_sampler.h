@@ -37,7 +37,7 @@ class PointSampler {
     bool geodetic = false;
     bool height = false, slope = false, verticalVelocity = false, velocity = false,
          pressure = false, error = false;
-    bool atHeights = false;     ///< velocity and pressure, not at the surface
+    bool atHeights = false;  ///< velocity and pressure, not at the surface
     SampleOptions options;
   };
   struct Piece {

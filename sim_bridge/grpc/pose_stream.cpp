@@ -40,9 +40,9 @@ std::size_t PoseStream::vesselOf(const HullPose& pose, const std::string& field)
   }
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  throw RpcFault(grpc::StatusCode::NOT_FOUND, Refusal::notFound,
-                 field + ".vessel: '" + pose.vessel() +
-                     "' is no vessel of the scene; must be one of: " + all);
+  throw RpcFault(
+      grpc::StatusCode::NOT_FOUND, Refusal::notFound,
+      field + ".vessel: '" + pose.vessel() + "' is no vessel of the scene; must be one of: " + all);
 }
 
 void PoseStream::check(const v1::PosesRequest& request) const {
@@ -95,10 +95,10 @@ void PoseStream::submit(const v1::PosesRequest& request, v1::PosesResponse& resp
       remove(pose.name());
       continue;
     }
-    const bool placed = host_->sea.place(
-        hullOf(pose), t,
-        {pose.latitude_deg(), pose.longitude_deg(), pose.height_m(), pose.heading_deg(),
-         pose.pitch_deg(), pose.roll_deg()});
+    const bool placed =
+        host_->sea.place(hullOf(pose), t,
+                         {pose.latitude_deg(), pose.longitude_deg(), pose.height_m(),
+                          pose.heading_deg(), pose.pitch_deg(), pose.roll_deg()});
     if (!placed) response.add_ignored(pose.name());
   }
   response.set_id(request.id());

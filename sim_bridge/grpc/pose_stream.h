@@ -18,8 +18,8 @@ class PoseStream {
       : host_(other.host_), hulls_(std::exchange(other.hulls_, {})) {}
   ~PoseStream() { leave(); }
 
-  /// Places hulls, adds those that come by a new name, takes away those that are gone. All or, where
-  /// something is not allowed, nothing. Throws RpcFault.
+  /// Places hulls, adds those that come by a new name, takes away those that are gone. All or,
+  /// where something is not allowed, nothing. Throws RpcFault.
   void submit(const v1::PosesRequest& request, v1::PosesResponse& response);
 
   /// Takes all hulls away.

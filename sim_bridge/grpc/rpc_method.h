@@ -46,9 +46,9 @@ class SpareSlots {
 /// What asks a generated service for the next call of a method: its Request… member.
 using ListenUnary = std::function<void(grpc::ServerContext*, grpc::ByteBuffer*,
                                        grpc::ServerAsyncResponseWriter<grpc::ByteBuffer>*, void*)>;
-using ListenStream = std::function<void(
-    grpc::ServerContext*, grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer>*,
-    void*)>;
+using ListenStream =
+    std::function<void(grpc::ServerContext*,
+                       grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer>*, void*)>;
 
 /// A method of one request and one answer. `Answerer`: see CallSlot.
 template <class Answerer>

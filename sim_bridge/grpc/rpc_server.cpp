@@ -1,14 +1,14 @@
 #include "sim_bridge/grpc/rpc_server.h"
 
 #include <grpc/support/log.h>
-#include <grpcpp/ext/proto_server_reflection_plugin.h>
-#include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim_bridge/grpc/address_fault.h"
+#include "sim_bridge/grpc/standard_services.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge::rpc {
@@ -23,8 +23,6 @@ void logToOurs(gpr_log_func_args* entry) { spdlog::debug("gRPC: {}", entry->mess
 void prepareProcess() {
   static const bool once = [] {
     gpr_set_log_function(logToOurs);
-    grpc::EnableDefaultHealthCheckService(true);
-    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     return true;
   }();
   (void)once;
@@ -45,19 +43,17 @@ void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options)
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 1000);
-  builder.SetMaxReceiveMessageSize(options.mostMessageBytes);
+  // What is somewhat too long is refused, and counted, by us.
+  builder.SetMaxReceiveMessageSize(
+      2 * std::min(options.mostMessageBytes, std::numeric_limits<int>::max() / 2));
   builder.SetMaxSendMessageSize(-1);
-  // For reflection alone.
-  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::NUM_CQS, 1);
-  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MAX_POLLERS, 1);
 }
-
-unsigned threadCount() { return std::max(2u, std::thread::hardware_concurrency()); }
 
 }  // namespace
 
 RpcServer::RpcServer(RpcServerOptions options, Meter& meter)
-    : options_(std::move(options)), host_(meter, options_.token) {}
+    : options_(std::move(options)),
+      host_(meter, options_.token, static_cast<std::size_t>(options_.mostMessageBytes)) {}
 
 RpcServer::~RpcServer() { stop(); }
 
@@ -68,6 +64,8 @@ void RpcServer::add(std::unique_ptr<grpc::Service> service, std::string name) {
 
 void RpcServer::bind() {
   prepareProcess();
+  addHealthService(*this);
+  addReflectionService(*this);
   requireFreeAddress(options_.option, options_.address);
   grpc::ServerBuilder builder;
   setTransport(builder, options_);
@@ -92,13 +90,11 @@ void RpcServer::bind() {
 }
 
 void RpcServer::start() {
+  const int threads = std::max(2, coreCount());
   for (const auto& method : methods_) {
-    for (unsigned i = 0; i < threadCount(); ++i) method->listen();
+    for (int i = 0; i < threads; ++i) method->listen();
   }
-  for (unsigned i = 0; i < threadCount(); ++i) threads_.emplace_back([this] { serve(); });
-  for (const std::string& name : names_) {
-    server_->GetHealthCheckService()->SetServingStatus(name, true);
-  }
+  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
 }
 
 void RpcServer::serve() {
@@ -110,7 +106,6 @@ void RpcServer::serve() {
 void RpcServer::stop() {
   if (!server_) return;
   host_.ending = true;
-  server_->GetHealthCheckService()->SetServingStatus(false);
   server_->Shutdown(std::chrono::system_clock::now() + milliseconds(500));
   if (!threads_.empty()) host_.waitForSlots();
   queue_->Shutdown();

@@ -18,7 +18,9 @@ struct RpcServerOptions {
   std::string address;  ///< HOST:PORT, [IPV6]:PORT or unix:PATH; port 0: any that is free
   std::shared_ptr<grpc::ServerCredentials> credentials;
   std::string token;  ///< that calls must carry; empty: none
-  /// Of one message from a host; longer ones gRPC refuses by itself, with RESOURCE_EXHAUSTED.
+  /// Of one message from a host. Longer ones are refused with RESOURCE_EXHAUSTED; those of more
+  /// than twice that gRPC refuses by itself before it has all of them, and the meter does not
+  /// count.
   int mostMessageBytes = 64 << 20;
   /// A host that does not answer for so long, s, is gone, and twice that where it is silent.
   double patience = 10.0;
@@ -36,6 +38,7 @@ class RpcServer {
   CallHost& host() { return host_; }
   void add(std::unique_ptr<grpc::Service> service, std::string name);
   void add(std::unique_ptr<Method> method) { methods_.push_back(std::move(method)); }
+  const std::vector<std::string>& serviceNames() const { return names_; }
 
   /// Takes the address. Throws InputError where it cannot be had.
   void bind();

@@ -11,8 +11,8 @@ class WakeStep {
   /// `host` must outlive the step.
   explicit WakeStep(WaterHost& host) : host_(&host) {}
 
-  /// Calls for the wakes when it is asked first; true, with the response filled, once they are where
-  /// the request wants them, or at once where it does not wait. Throws RpcFault.
+  /// Calls for the wakes when it is asked first; true, with the response filled, once they are
+  /// where the request wants them, or at once where it does not wait. Throws RpcFault.
   bool isThere(const v1::StepRequest& request, v1::StepResponse& response);
   /// The next request is another.
   void forget() { called_ = false; }

@@ -15,12 +15,12 @@
 namespace seaway::bridge::rpc {
 
 struct WaterLimits {
-  std::size_t points = 250000;    ///< a request
-  std::uint32_t pixels = 4096;    ///< along each side of a picture
-  std::size_t hulls = 64;         ///< a stream
-  std::size_t places = 1000;      ///< of a step
-  std::size_t octaves = 256;      ///< that a host may set
-  int messageBytes = 64 << 20;    ///< of a request
+  std::size_t points = 250000;  ///< a request
+  std::uint32_t pixels = 4096;  ///< along each side of a picture
+  std::size_t hulls = 64;       ///< a stream
+  std::size_t places = 1000;    ///< of a step
+  std::size_t octaves = 256;    ///< that a host may set
+  int messageBytes = 64 << 20;  ///< of a request
 };
 
 /// The significant wave height that a host has asked for, and what it got. Thread-safe.

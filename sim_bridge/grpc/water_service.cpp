@@ -58,7 +58,8 @@ class StepAnswerer {
   explicit StepAnswerer(WaterHost& host) : step_(host) {}
   Lane lane(const Request&) const { return Lane::here; }
   Outcome answer(const Request& request, Response& response, const CallWatch&) {
-    return {.again = !step_.isThere(request, response)};
+    constexpr std::chrono::milliseconds there{0}, notYet{2};
+    return {.again = step_.isThere(request, response) ? there : notYet};
   }
   void ended() { step_.forget(); }
 
@@ -102,8 +103,7 @@ Outcome set(WaterHost& host, const v1::SetSeaStateRequest& request,
 using RenderAnswerer = PlainAnswerer<v1::RenderRequest, v1::RenderResponse, Lane::slow, render>;
 using DescribeAnswerer =
     PlainAnswerer<v1::DescribeRequest, v1::DescribeResponse, Lane::large, tell>;
-using SetAnswerer =
-    PlainAnswerer<v1::SetSeaStateRequest, v1::SetSeaStateResponse, Lane::slow, set>;
+using SetAnswerer = PlainAnswerer<v1::SetSeaStateRequest, v1::SetSeaStateResponse, Lane::slow, set>;
 
 /// Adds methods one by one.
 class Adder {
@@ -113,8 +113,8 @@ class Adder {
 
   template <class Answerer, auto request>
   void unary() {
-    const auto ask = [&service = service_, &shared = server_.host()](
-                         auto* context, auto* bytes, auto* writer, void* tag) {
+    const auto ask = [&service = service_, &shared = server_.host()](auto* context, auto* bytes,
+                                                                     auto* writer, void* tag) {
       (service.*request)(context, bytes, writer, shared.queue, shared.queue, tag);
     };
     server_.add(std::make_unique<UnaryMethod<Answerer>>(server_.host(), ask, maker<Answerer>()));

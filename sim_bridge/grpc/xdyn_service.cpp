@@ -48,8 +48,8 @@ class Adder {
   template <class Request, class Response, auto ask, Lane where, class Function>
   void add(Function) {
     using Answers = Answerer<Request, Response, where, Function{}>;
-    const auto listen = [&service = service_, &host = server_.host()](
-                            auto* context, auto* bytes, auto* writer, void* tag) {
+    const auto listen = [&service = service_, &host = server_.host()](auto* context, auto* bytes,
+                                                                      auto* writer, void* tag) {
       (service.*ask)(context, bytes, writer, host.queue, host.queue, tag);
     };
     server_.add(std::make_unique<UnaryMethod<Answers>>(

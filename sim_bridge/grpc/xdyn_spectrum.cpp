@@ -24,8 +24,7 @@ LocalWave localWave(const GroupOctave& octave, glm::dvec2 point, double t) {
   const glm::dvec2 direction = octave.direction();
   wave.direction = xdynDirectionFromPlane(std::atan2(direction.y, direction.x));
   const double argument = std::atan2(quadrature, inPhase) + 0.5 * pi;  // a sine's
-  wave.phase =
-      std::remainder(argument - 2.0 * pi * std::remainder(travelled, 1.0), 2.0 * pi);
+  wave.phase = std::remainder(argument - 2.0 * pi * std::remainder(travelled, 1.0), 2.0 * pi);
   return wave;
 }
 

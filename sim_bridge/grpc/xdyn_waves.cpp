@@ -134,9 +134,8 @@ void XdynWaves::forEachMotion(const XYZTGrid& request, const CallWatch& watch, U
 
 void XdynWaves::pressures(const XYZTGrid& request, DynamicPressuresResponse& response,
                           const CallWatch& watch) const {
-  forEachMotion(request, watch, [&](const WaterKinematics& motion) {
-    response.add_pdyn(motion.dynamicPressure);
-  });
+  forEachMotion(request, watch,
+                [&](const WaterKinematics& motion) { response.add_pdyn(motion.dynamicPressure); });
   *response.mutable_x() = request.x();
   *response.mutable_y() = request.y();
   *response.mutable_z() = request.z();

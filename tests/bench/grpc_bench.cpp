@@ -24,11 +24,11 @@
 
 // What gRPC adds to the evaluation of 1000 points on 12 octaves.
 //   grpc_bench [ROUNDS] [--clients N] [--seconds S] [--server-cores N]
-// On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds of
-// call in turn with the bare evaluation, so that each has the machine as the others have it. Then N
-// hosts at once: calls a second beside the same evaluation without gRPC on as many cores, and what of
-// the processors the server takes for a call. With --server-cores the server has the first N cores,
-// its hosts the others.
+// On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds
+// of call in turn with the bare evaluation, so that each has the machine as the others have it.
+// Then N hosts at once: calls a second beside the same evaluation without gRPC on as many cores,
+// and what of the processors the server takes for a call. With --server-cores the server has the
+// first N cores, its hosts the others.
 namespace {
 
 using namespace seaway;
@@ -46,6 +46,11 @@ struct Options {
   int serverCores = 0;  // 0: all, as the hosts have
 };
 
+[[noreturn]] void fail(const char* what) {
+  std::fprintf(stderr, "%s\n", what);
+  std::_Exit(1);
+}
+
 double secondsSince(Clock::time_point begun) {
   return std::chrono::duration<double>(Clock::now() - begun).count();
 }
@@ -57,11 +62,17 @@ double processorSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// Of the cores that this process has, those from one on to before another.
 void stayOn(int from, int to) {
-  cpu_set_t cores;
+  cpu_set_t had, cores;
   CPU_ZERO(&cores);
-  for (int core = from; core < to; ++core) CPU_SET(core, &cores);
-  if (sched_setaffinity(0, sizeof cores, &cores) != 0) std::perror("sched_setaffinity");
+  if (sched_getaffinity(0, sizeof had, &had) != 0) fail("sched_getaffinity");
+  for (int core = 0, place = 0; core < CPU_SETSIZE; ++core) {
+    if (!CPU_ISSET(core, &had)) continue;
+    if (place >= from && place < to) CPU_SET(core, &cores);
+    ++place;
+  }
+  if (sched_setaffinity(0, sizeof cores, &cores) != 0) fail("sched_setaffinity");
 }
 
 Scene sceneOfTwelveOctaves() {
@@ -120,11 +131,6 @@ std::unique_ptr<v1::Water::Stub> stubOf(const std::string& address) {
       grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments));
 }
 
-[[noreturn]] void fail(const char* what) {
-  std::fprintf(stderr, "%s\n", what);
-  std::_Exit(1);
-}
-
 /// One host that asks by itself or on a stream.
 class Host {
  public:
@@ -171,8 +177,8 @@ class Evaluation {
 };
 
 /// Runs `work` on so many threads for a while; times that it was done, a second.
-double rateOf(int threads, double seconds, const std::function<void(std::atomic<bool>&,
-                                                                    std::atomic<long>&)>& work) {
+double rateOf(int threads, double seconds,
+              const std::function<void(std::atomic<bool>&, std::atomic<long>&)>& work) {
   std::atomic<bool> ending{false};
   std::atomic<long> done{0};
   std::vector<std::thread> all;
@@ -191,7 +197,7 @@ double rateOf(int threads, double seconds, const std::function<void(std::atomic<
 struct Order {
   char address[128] = {};
   int clients = 1;
-  int calls = 0;         // of one host, each timed; 0: as many as go in `seconds`
+  int calls = 0;  // of one host, each timed; 0: as many as go in `seconds`
   double seconds = 0.0;
   bool streaming = false, all = false;
 };
@@ -274,7 +280,8 @@ struct Hosts {
 void print(const char* name, std::vector<double>& us, double evaluation) {
   std::sort(us.begin(), us.end());
   const double median = us[us.size() / 2];
-  std::printf("%-22s %8.1f %8.1f %8.1f", name, us[us.size() / 10], median, us[us.size() * 99 / 100]);
+  std::printf("%-22s %8.1f %8.1f %8.1f", name, us[us.size() / 10], median,
+              us[us.size() * 99 / 100]);
   if (evaluation > 0.0) std::printf(" %20.1f", median - evaluation);
   std::printf("\n");
 }
@@ -307,7 +314,7 @@ void printOneHost(Server& server, Hosts hosts, int rounds, bool all) {
 }
 
 void printManyHosts(Server& server, Hosts hosts, const Options& options) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const int cores = rpc::coreCount();
   const double bare = rateOf(cores, options.seconds, [&](auto& ending, auto& done) {
     Evaluation evaluation(server.sea, false);
     while (!ending) {
@@ -333,10 +340,14 @@ Options optionsOf(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : "0";
-    if (word == "--clients") options.clients = std::atoi(value), ++i;
-    else if (word == "--seconds") options.seconds = std::atof(value), ++i;
-    else if (word == "--server-cores") options.serverCores = std::atoi(value), ++i;
-    else options.rounds = std::max(1, std::atoi(word.c_str()));
+    if (word == "--clients")
+      options.clients = std::atoi(value), ++i;
+    else if (word == "--seconds")
+      options.seconds = std::atof(value), ++i;
+    else if (word == "--server-cores")
+      options.serverCores = std::atoi(value), ++i;
+    else
+      options.rounds = std::max(1, std::atoi(word.c_str()));
   }
   return options;
 }
@@ -347,13 +358,16 @@ int main(int argc, char** argv) {
   const Options options = optionsOf(argc, argv);
   int toHosts[2], fromHosts[2];
   if (pipe(toHosts) != 0 || pipe(fromHosts) != 0) return 1;
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  if (options.serverCores < 0 || options.serverCores >= rpc::coreCount()) {
+    std::fprintf(stderr, "--server-cores: must leave the hosts some of %d\n", rpc::coreCount());
+    return 2;
+  }
   // Before gRPC has threads.
   const pid_t child = fork();
   if (child == 0) {
     close(toHosts[1]);
     close(fromHosts[0]);
-    if (options.serverCores > 0) stayOn(options.serverCores, cores);
+    if (options.serverCores > 0) stayOn(options.serverCores, rpc::coreCount());
     serveAsHosts(toHosts[0], fromHosts[1]);
     std::_Exit(0);
   }

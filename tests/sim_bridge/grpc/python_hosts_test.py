@@ -1,4 +1,5 @@
-"""Hosts in Python, by Debian's grpcio and stubs that protoc wrote: `seaway serve` as others meet it.
+"""Hosts in Python, by Debian's grpcio and stubs that protoc wrote: `seaway serve` as others
+meet it.
 
     python_hosts_test.py SEAWAY STUBS REPOSITORY
 """

@@ -15,9 +15,7 @@
 namespace seaway::bridge::test {
 
 /// The scene of sceneText without wakes: its sea is a function of place and time alone.
-inline std::string wakelessText() {
-  return sceneText({{"run:", "effects: {wake: off}\nrun:"}});
-}
+inline std::string wakelessText() { return sceneText({{"run:", "effects: {wake: off}\nrun:"}}); }
 
 /// A scene's sea behind a server of our own, and hosts of it.
 struct ServedWater {

@@ -55,8 +55,15 @@ void expectServed(ServedWater& water, double t = 1.0) {
 
 std::string frame(char type, char flags, char stream, const std::string& payload) {
   const auto size = payload.size();
-  std::string bytes{static_cast<char>(size >> 16), static_cast<char>(size >> 8),
-                    static_cast<char>(size), type, flags, 0, 0, 0, stream};
+  std::string bytes{static_cast<char>(size >> 16),
+                    static_cast<char>(size >> 8),
+                    static_cast<char>(size),
+                    type,
+                    flags,
+                    0,
+                    0,
+                    0,
+                    stream};
   return bytes + payload;
 }
 
@@ -70,10 +77,17 @@ TEST(WaterGrpcHard, GarbageOnTheWireHarmsNobodyElse) {
     std::string bytes(1 + random() % 3000, '\0');
     for (char& byte : bytes) byte = static_cast<char>(random());
     switch (i % 4) {
-      case 0: host.send(bytes); break;
-      case 1: host.send(preface + bytes); break;
-      case 2: host.send(preface + frame(4, 0, 0, "") + frame(1, 4, 1, bytes.substr(0, 100))); break;
-      default: host.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+      case 0:
+        host.send(bytes);
+        break;
+      case 1:
+        host.send(preface + bytes);
+        break;
+      case 2:
+        host.send(preface + frame(4, 0, 0, "") + frame(1, 4, 1, bytes.substr(0, 100)));
+        break;
+      default:
+        host.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
     }
   }
   expectServed(water);
@@ -102,9 +116,10 @@ TEST(WaterGrpcHard, MessagesThatAreNoneAreRefusedAndCountedOnEveryMethod) {
   ServedWater water;
   const std::string bad = "\x1a\xff\xff\xff\x0f";  // a nested message of 32 MB that is not there
   int expected = 0;
-  for (const char* method : {"Sample", "SampleStream", "SubmitPoses", "Step", "Render", "Describe",
-                             "SetSeaState"}) {
-    const grpc::Status status = callWithBytes(water, std::string("/seaway.v1.Water/") + method, bad);
+  for (const char* method :
+       {"Sample", "SampleStream", "SubmitPoses", "Step", "Render", "Describe", "SetSeaState"}) {
+    const grpc::Status status =
+        callWithBytes(water, std::string("/seaway.v1.Water/") + method, bad);
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
     EXPECT_NE(status.error_message().find("the request is no seaway.v1."), std::string::npos);
     EXPECT_EQ(water.refused(Refusal::malformed), static_cast<std::uint64_t>(++expected));
@@ -149,9 +164,23 @@ TEST(WaterGrpcHard, AMessageBeyondTheTransportsLimitIsRefusedToo) {
   ServedWater water(test::wakelessText(), {}, options);
   Context context;
   SampleResponse response;
-  const grpc::Status status =
-      water.stub()->Sample(&context, planeRequest(1.0, 50'000), &response);
+  const grpc::Status status = water.stub()->Sample(&context, planeRequest(1.0, 50'000), &response);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  expectServed(water);
+}
+
+TEST(WaterGrpcHard, AMessageSomewhatTooLongIsRefusedWithTheLimitAndCounted) {
+  rpc::RpcServerOptions options;
+  options.mostMessageBytes = 1 << 16;
+  ServedWater water(test::wakelessText(), {}, options);
+  Context context;
+  SampleResponse response;
+  const SampleRequest request = planeRequest(1.0, 5000);  // 16 bytes a point
+  const grpc::Status status = water.stub()->Sample(&context, request, &response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(status.error_message(), "the message has " + std::to_string(request.ByteSizeLong()) +
+                                        " bytes; at most 65536 are allowed");
+  EXPECT_EQ(water.refused(Refusal::tooLarge), 1u);
   expectServed(water);
 }
 
@@ -268,8 +297,8 @@ TEST(WaterGrpcHard, HostsBehindHalfOpenConnectionsAreGoneAfterAWhile) {
   ServedWater water(test::wakelessText(), {}, options);
   RawHost silent(water.server->address());  // connects and says nothing
   Relay relay(water.server->address());
-  const auto stub = Water::NewStub(
-      grpc::CreateChannel(relay.address(), grpc::InsecureChannelCredentials()));
+  const auto stub =
+      Water::NewStub(grpc::CreateChannel(relay.address(), grpc::InsecureChannelCredentials()));
   Context context;
   const auto stream = stub->SubmitPoses(&context);
   PosesRequest request;

@@ -40,8 +40,8 @@ grpc::Status refusal(const SampleRequest& request, ServedWater& water = served()
 
 TEST(WaterService, HeightsAreTheLibrarysToTheBit) {
   // More than a piece, so that pieces are put together too.
-  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000},
-                                  std::size_t{10000}}) {
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{1}, std::size_t{1000}, std::size_t{10000}}) {
     SampleRequest request = planeRequest(12.5, count);
     request.set_id(77);
     const auto places = test::placesOf(request);

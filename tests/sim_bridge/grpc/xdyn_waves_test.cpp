@@ -20,8 +20,8 @@ struct ServedWaves {
     rpc::addXdynService(server, waves);
     server.bind();
     server.start();
-    stub = Waves::NewStub(
-        grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
+    stub =
+        Waves::NewStub(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
   }
 
   test::ServedWaters waters;
@@ -150,9 +150,9 @@ TEST(XdynWaves, FrequenciesAndDirectionsForResponseOperatorsAreTheSpectrumsOwn) 
 // In closed form: one wave towards east over a current of 1 m/s that carries it along, in 5 m of
 // water: at a fixed point ω + kU.
 TEST(XdynWaves, ARegularWaveInACurrentIsItselfInItsSpectrum) {
-  ServedWaves served(test::sceneText(
-      {{"run:", "effects: {wake: off}\nrun:"},
-       {"depth_m: inf", "depth_m: 5\n  current: {speed_m_s: 1, toward_deg: 90}"}}));
+  ServedWaves served(
+      test::sceneText({{"run:", "effects: {wake: off}\nrun:"},
+                       {"depth_m: inf", "depth_m: 5\n  current: {speed_m_s: 1, toward_deg: 90}"}}));
   Context setting, asking;
   SetParameterRequest parameters;
   parameters.set_parameters(
