@@ -1,12 +1,11 @@
 #include "sim_bridge/grpc/picture.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "render/png.h"
 #include "sim_bridge/scene/schema.h"
 
 namespace seaway::bridge::rpc {
@@ -60,22 +59,6 @@ void requireCamera(const WaterHost& host, const std::string& name) {
                      (all.empty() ? "none; use free" : ""));
 }
 
-std::string pngOf(const render::ColourImage& image) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.size.x);
-  png.height = static_cast<png_uint_32>(image.size.y);
-  png.format = PNG_FORMAT_RGB;
-  png.flags = PNG_IMAGE_FLAG_FAST;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr)) {
-    throw std::runtime_error(std::string("PNG: ") + png.message);
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
 }  // namespace
 
 void drawPicture(WaterHost& host, const RenderRequest& request, v1::RenderResponse& response,
@@ -101,7 +84,7 @@ void drawPicture(WaterHost& host, const RenderRequest& request, v1::RenderRespon
   response.set_width(static_cast<std::uint32_t>(image.size.x));
   response.set_height(static_cast<std::uint32_t>(image.size.y));
   if (request.format() == v1::PICTURE_FORMAT_PNG) {
-    response.set_picture(pngOf(image));
+    response.set_picture(render::pngBytes(image));
   } else {
     response.set_picture(image.rgb.data(), image.rgb.size());
   }

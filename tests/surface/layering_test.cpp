@@ -31,8 +31,8 @@ const std::vector<Rule> rules = {
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},
     {"nlohmann/", {"sim_bridge/", "surface/spectra/readers/spotter.cpp"}},
-    {"grpc", {"sim_bridge/service/"}},
-    {"asio", {"sim_bridge/cigi/udp_endpoint.cpp"}},
+    {"grpc", {"sim_bridge/service/", "sim_bridge/grpc/"}},
+    {"asio", {"sim_bridge/cigi/udp_endpoint.cpp", "sim_bridge/grpc/"}},
 };
 
 std::vector<std::string> violations() {

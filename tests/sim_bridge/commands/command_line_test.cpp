@@ -41,8 +41,9 @@ TEST(CommandLine, ExplainTellsEveryEffectAsJson) {
     EXPECT_TRUE(effect["memory_bytes"].is_number());
     EXPECT_TRUE(effect["cost_us"].is_number());
     EXPECT_TRUE(effect["cost_per"] == "step" || effect["cost_per"] == "frame");
-    EXPECT_EQ(effect.contains("cost_inside"), effect["name"] == "sun" || effect["name"] == "foam")
-        << effect["name"];
+    const bool isInside = effect["name"] == "sun" || effect["name"] == "foam" ||
+                          effect["name"] == "reflection" || effect["name"] == "refraction";
+    EXPECT_EQ(effect.contains("cost_inside"), isInside) << effect["name"];
     EXPECT_TRUE(effect["state"] == "on" || effect["state"] == "idle" || effect["state"] == "off");
   }
 }
