@@ -23,6 +23,7 @@ bool isInside(const std::vector<HullRoom>& rooms, const glm::dvec3& point) {
 }
 
 constexpr double length = 8.0, beam = 2.4, draft = 0.5, freeboard = 0.6, wall = 0.12;
+constexpr double step = length / 160.0;  // of the lattice on which rooms are found
 
 TriangleMesh openBoat() { return openWigleyMesh(length, beam, draft, freeboard, wall, 1200); }
 
@@ -49,7 +50,7 @@ TEST(HullRooms, FillTheHollowOfAnOpenBoatAndNoSeaOutsideIt) {
         if (isWithin(point, length - 2.0 * wall, beam - 2.0 * wall, draft - wall)) {
           ++hollow;
           filled += inside;
-        } else if (!isWithin(point, length, beam, draft)) {
+        } else if (!isWithin(point, length + 2.0 * step, beam + 2.0 * step, draft + step)) {
           ++sea;
           seaTaken += inside;
         }
