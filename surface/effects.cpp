@@ -43,6 +43,21 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
      "the camera, above the water, sees where a vessel is mirrored"},
     {Effect::refraction, "refraction", "what of vessels lies under the water, seen through it",
      "the camera, above the water, sees a vessel's wet part from near"},
+    {Effect::underWater, "under_water",
+     "Snell's window, total reflection and dimming below the surface",
+     "a part of the camera's view is under water"},
+    {Effect::haze, "haze", "air that dims and tints what is far",
+     "the view has water or things far enough away to be dimmed"},
+    {Effect::shadows, "shadows", "the sun's shadows of vessels and scenery, on themselves and water",
+     "the sun is up and a thing that casts a shadow is in or near the view"},
+    {Effect::scenery, "scenery", "meshes of the scene that are no vessels: piers, buoys, houses",
+     "an object of the scene meets the camera's view"},
+    {Effect::terrain, "terrain", "islands, shores and sea bed by a map of heights",
+     "the scene has `terrain` and it meets the camera's view"},
+    {Effect::lights, "lights", "vessels' navigation lights and lamps of the scene, on the water too",
+     "it is dusk or night and a light's arc shows towards the camera"},
+    {Effect::moon, "moon", "the moon's disc, its light and its glitter",
+     "the scene has `light.moon`, the moon is up and the sun is down"},
 }};
 
 std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }
@@ -55,6 +70,20 @@ double nowMicroseconds() {
 }  // namespace
 
 std::span<const EffectDescription> effectDescriptions() { return descriptions; }
+
+std::string_view effectName(Effect effect) { return descriptions[indexOf(effect)].name; }
+
+std::string_view effectStateName(EffectState state) {
+  switch (state) {
+    case EffectState::on:
+      return "on";
+    case EffectState::idle:
+      return "idle";
+    case EffectState::off:
+      return "off";
+  }
+  return "";
+}
 
 std::optional<Effect> effectFromName(std::string_view name) {
   const auto found =

@@ -34,6 +34,13 @@ enum class Effect : std::size_t {
   hullMask,
   reflection,
   refraction,
+  underWater,
+  haze,
+  shadows,
+  scenery,
+  terrain,
+  lights,
+  moon,
   count
 };
 
@@ -50,6 +57,9 @@ enum class EffectState {
   off,   ///< switched off by the scene
 };
 
+/// "on", "idle" or "off".
+std::string_view effectStateName(EffectState state);
+
 struct EffectDescription {
   Effect effect;
   std::string_view name;     ///< key under `effects:` in a scene
@@ -58,6 +68,8 @@ struct EffectDescription {
 };
 
 std::span<const EffectDescription> effectDescriptions();
+/// Its key under `effects:` in a scene.
+std::string_view effectName(Effect effect);
 std::optional<Effect> effectFromName(std::string_view name);
 
 using EffectSettings = std::array<EffectSetting, static_cast<std::size_t>(Effect::count)>;

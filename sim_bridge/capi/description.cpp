@@ -13,18 +13,6 @@ using Json = nlohmann::ordered_json;
 // JSON has no infinity: null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-const char* stateName(EffectState state) {
-  switch (state) {
-    case EffectState::on:
-      return "on";
-    case EffectState::idle:
-      return "idle";
-    case EffectState::off:
-      return "off";
-  }
-  return "";
-}
-
 const char* kindName(OctaveKind kind) {
   switch (kind) {
     case OctaveKind::perlin:
@@ -98,7 +86,7 @@ Json effectsJson(const std::vector<EffectReport>& step, const std::vector<Effect
     const bool frameSpeaks = ofFrame.state == EffectState::on || i >= step.size();
     const EffectReport& chosen = frameSpeaks && ofStep.state != EffectState::on ? ofFrame : ofStep;
     list.push_back({{"name", effectDescriptions()[i].name},
-                    {"state", stateName(chosen.state)},
+                    {"state", effectStateName(chosen.state)},
                     {"reason", chosen.reason},
                     {"memory_bytes", std::max(ofStep.memoryBytes, ofFrame.memoryBytes)},
                     {"step_us", ofStep.costMicroseconds},

@@ -19,22 +19,6 @@
 namespace seaway::bridge {
 namespace {
 
-const char* stateName(EffectState state) {
-  switch (state) {
-    case EffectState::on:
-      return "on";
-    case EffectState::idle:
-      return "idle";
-    case EffectState::off:
-      return "off";
-  }
-  return "";
-}
-
-std::string_view nameOf(Effect effect) {
-  return effectDescriptions()[static_cast<std::size_t>(effect)].name;
-}
-
 const char* unitOf(Effect effect) {
   switch (effect) {
     case Effect::waves:
@@ -75,10 +59,10 @@ void writeTable(const Account& account, std::ostream& out) {
   for (const EffectReport& effect : account.effects) {
     const std::string cost =
         effect.costInside
-            ? fmt::format("inside {}", nameOf(*effect.costInside))
+            ? fmt::format("inside {}", effectName(*effect.costInside))
             : fmt::format("{:.1f} us/{}", account.cost(effect), unitOf(effect.effect));
-    out << fmt::format("{:<16} {:<5} {:>10} B {:>19}  {}\n", nameOf(effect.effect),
-                       stateName(effect.state), effect.memoryBytes, cost, effect.reason);
+    out << fmt::format("{:<16} {:<5} {:>10} B {:>19}  {}\n", effectName(effect.effect),
+                       effectStateName(effect.state), effect.memoryBytes, cost, effect.reason);
   }
   out << fmt::format(
       "costs: wall time of one step, mean of {}{}; first-use set-up is not in them\n",
@@ -92,13 +76,13 @@ void writeTable(const Account& account, std::ostream& out) {
 void writeJson(const Account& account, std::ostream& out) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const EffectReport& effect : account.effects) {
-    list.push_back({{"name", nameOf(effect.effect)},
-                    {"state", stateName(effect.state)},
+    list.push_back({{"name", effectName(effect.effect)},
+                    {"state", effectStateName(effect.state)},
                     {"reason", effect.reason},
                     {"memory_bytes", effect.memoryBytes},
                     {"cost_us", account.cost(effect)},
                     {"cost_per", unitOf(effect.effect)}});
-    if (effect.costInside) list.back()["cost_inside"] = nameOf(*effect.costInside);
+    if (effect.costInside) list.back()["cost_inside"] = effectName(*effect.costInside);
   }
   out << nlohmann::ordered_json{{"frames", account.frames}, {"effects", std::move(list)}}.dump(2)
       << '\n';

@@ -95,7 +95,7 @@ void addSea(Families& families, const ServiceFigures& figures) {
   families.begin("effect_active", "1: ran in the picture drawn last, or runs now",
                  MetricType::Gauge);
   for (const EffectReport& effect : figures.effects) {
-    const auto name = effectDescriptions()[static_cast<std::size_t>(effect.effect)].name;
+    const auto name = effectName(effect.effect);
     families.gauge({{"effect", std::string(name)}}, effect.state == EffectState::on ? 1.0 : 0.0);
   }
   families.begin("log_messages_total", "Messages logged, by level", MetricType::Counter);

@@ -35,7 +35,7 @@ ordered_json asJson(const EndpointLoad& load) {
 }
 
 ordered_json asJson(const EffectReport& effect) {
-  return {{"name", effectDescriptions()[static_cast<std::size_t>(effect.effect)].name},
+  return {{"name", effectName(effect.effect)},
           {"state", effectStateName(effect.state)},
           {"memory_bytes", effect.memoryBytes},
           {"cost_us", effect.costMicroseconds},
@@ -59,18 +59,6 @@ ordered_json listOf(const std::vector<T>& all) {
 }
 
 }  // namespace
-
-const char* effectStateName(EffectState state) {
-  switch (state) {
-    case EffectState::on:
-      return "on";
-    case EffectState::idle:
-      return "idle";
-    case EffectState::off:
-      return "off";
-  }
-  return "";
-}
 
 std::string statusJson(const ServiceFigures& figures) {
   ordered_json events = ordered_json::object();

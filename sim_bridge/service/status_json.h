@@ -6,9 +6,6 @@
 
 namespace seaway::bridge {
 
-/// "on", "idle" or "off".
-const char* effectStateName(EffectState state);
-
 /// A service's figures as JSON; units are in the keys, what is not known is null.
 std::string statusJson(const ServiceFigures& figures);
 

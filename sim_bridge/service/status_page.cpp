@@ -123,7 +123,7 @@ std::string loadSection(const ServiceFigures& figures) {
 std::string effectsSection(const ServiceFigures& figures) {
   std::string rows;
   for (const EffectReport& effect : figures.effects) {
-    const auto name = effectDescriptions()[static_cast<std::size_t>(effect.effect)].name;
+    const auto name = effectName(effect.effect);
     rows += fmt::format(
         "<tr><td>{}</td><td class=\"text {}\">{}</td><td>{}</td><td>{}</td>"
         "<td class=\"text soft\">{}</td></tr>",

@@ -110,7 +110,7 @@ Json effectsThatAreOn(const EffectLedger& ledger) {
   for (const EffectReport& report : ledger.report()) {
     if (report.state != EffectState::on) continue;
     names.push_back(
-        std::string(effectDescriptions()[static_cast<std::size_t>(report.effect)].name));
+        std::string(effectName(report.effect)));
   }
   return names;
 }

@@ -21,6 +21,7 @@ TEST(Effects, EveryEffectIsDescribedInItsPlace) {
     const EffectDescription& description = effectDescriptions()[i];
     EXPECT_EQ(static_cast<std::size_t>(description.effect), i);
     EXPECT_EQ(effectFromName(description.name), description.effect);
+    EXPECT_EQ(effectName(description.effect), description.name);
   }
   EXPECT_FALSE(effectFromName("tsunami"));
 }
