@@ -81,7 +81,8 @@ void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
   image.size = box.end - box.least;
   image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
   ShadingConstants lit = constants;
-  lit.airExtinction = 0.0f;
+  lit.hazeIsOn = false;
+  lit.lampCount = 0;  // places are not known here
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip;

@@ -50,6 +50,11 @@ struct ShadingSources {
 /// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb);
 
+/// Slopes that shading sees at pixels of water: those of waves and ripples in xy, and in z the
+/// mean-square slope of all that a pixel cannot show, its roughness. For tests of the statistics;
+/// `seen` as `radiance` below.
+void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen);
+
 /// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);
 
