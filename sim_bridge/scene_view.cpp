@@ -109,8 +109,8 @@ void SceneView::placeLamps(const SceneMoment& moment) {
     return;
   }
   for (const SceneLamp& lamp : scene_->lamps) {
-    const SeaPlanePoint point = moment.geodesy->seaPlaneFromGeodetic(lamp.place.latitude_deg,
-                                                                    lamp.place.longitude_deg);
+    const SeaPlanePoint point =
+        moment.geodesy->seaPlaneFromGeodetic(lamp.place.latitude_deg, lamp.place.longitude_deg);
     render::Lamp placed;
     placed.position = glm::dvec3(point.position, lamp.height);
     placed.colour = lamp.colour;

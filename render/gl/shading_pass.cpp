@@ -55,6 +55,7 @@ void setNight(const GlProgram& program, const ShadingConstants& c) {
   program.set("moonAerosol", c.moonAerosol);
   program.set("discAxis", c.discAxis);
   program.set("discEdge", c.discEdge);
+  program.set("discLight", c.discLight);
   program.set("starLight", c.starLight);
   program.set("lampCount", c.lampCount);
   for (int i = 0; i < c.lampCount; ++i) {
@@ -97,6 +98,7 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("mirrorSize", c.mirrorSize);
   program.set("belowLeast", c.belowLeast);
   program.set("belowSize", c.belowSize);
+  program.set("mirrorSteps", c.mirrorSteps);
   program.set("mirrorNearest", c.mirrorNearest);
   program.set("mirrorFarthest", c.mirrorFarthest);
 }

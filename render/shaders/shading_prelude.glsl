@@ -18,7 +18,7 @@ uniform vec3 horizonRayleigh, horizonAerosol, horizonOften;
 uniform bool hazeIsOn, twilightIsOn, moonIsOn, extinctionIsLinear, backFacesAreTilted;
 uniform vec3 horizonSide, horizonArch, moonRayleigh, moonAerosol, discAxis;
 uniform vec2 levelMoon;
-uniform float discEdge, starLight;
+uniform float discEdge, discLight, starLight;
 uniform int specular, lampCount;
 uniform vec3 lampPlace[16], lampLight[16];
 uniform float lampWidth[16], lampShines[16];
@@ -34,7 +34,7 @@ uniform vec2 pixelMiddle;
 uniform bool mirrorIsOn, belowIsOn;
 uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
 uniform float mirrorNearest, mirrorFarthest;
-const int mirrorSteps = 6;
+uniform int mirrorSteps;
 
 uniform bool foamIsOn, rainIsOn;
 uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;

@@ -31,7 +31,7 @@ glm::vec3 skyDirection(double elevation, double direction) {
 glm::vec3 directionOf(const Moon& moon) { return skyDirection(moon.elevation, moon.direction); }
 
 float moonPart(const Moon& moon, glm::vec3 sunDirection) {
-  const double angle = 360.0 * std::abs(moon.phase - 0.5);  // Sun–Moon–Earth, degrees
+  const double angle = 360.0 * std::abs(moon.phase - 0.5);           // Sun–Moon–Earth, degrees
   const double fainter = 0.026 * angle + 4e-9 * std::pow(angle, 4);  // magnitudes
   const double dark = glm::smoothstep(-0.01, -0.12, static_cast<double>(sunDirection.z));
   return static_cast<float>(nightGain * fullMoonOverSun * std::pow(10.0, -0.4 * fainter) * dark);
@@ -54,6 +54,8 @@ void setMoon(ShadingConstants& c, const Lighting& lighting) {
   const float length = glm::length(across);
   c.discAxis = length > 1e-3f ? across / length : glm::vec3(0.0f);
   c.discEdge = lighting.moonEdge;
+  // What a full moon's whole disc sends comes from the lit part of another's.
+  c.discLight /= std::max(0.5f * (1.0f - c.discEdge), 0.01f);
 }
 
 double shownPart(const Lamp& lamp, glm::dvec3 eye) {
@@ -83,15 +85,13 @@ void setLamps(ShadingConstants& c, const View& view) {
     const double distance = std::max(glm::length(place), 0.01);
     if (intensity > 0.0) seen.push_back({&lamp, place, intensity, distance});
   }
-  std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
-    return a.brightness() > b.brightness();
-  });
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.brightness() > b.brightness(); });
   c.lampCount = static_cast<int>(std::min<std::size_t>(seen.size(), ShadingConstants::mostLamps));
   for (int i = 0; i < c.lampCount; ++i) {
     const Seen& lamp = seen[i];
     const glm::vec3 colour = lamp.lamp->colour;
-    const float luminance =
-        std::max(glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)), 1e-3f);
+    const float luminance = std::max(glm::dot(colour, glm::vec3(0.2126f, 0.7152f, 0.0722f)), 1e-3f);
     c.lampPlace[i] = glm::vec3(lamp.place);
     c.lampLight[i] = colour * static_cast<float>(nightGain * perLux * lamp.intensity / luminance);
     const double size = 0.06 / lamp.distance;  // a lantern's radius, m
@@ -103,7 +103,8 @@ void setLamps(ShadingConstants& c, const View& view) {
 
 void setStars(ShadingConstants& c, const Lighting& lighting) {
   const float dark = glm::smoothstep(-0.12f, -0.24f, lighting.sunDirection.z);
-  if (lighting.sky) c.starLight = dark * static_cast<float>(nightGain * perLux * starOfMagnitudeZero);
+  if (lighting.sky)
+    c.starLight = dark * static_cast<float>(nightGain * perLux * starOfMagnitudeZero);
 }
 
 }  // namespace seaway::render

@@ -1,7 +1,7 @@
 // Lamps, moon and stars, in the common subset of GLSL and C++ (sea_shading.glsl.h says how).
 
-// Lamps before or beside what is `distance` away, as a lens shows them: a spot, and the veil that
-// light scattered in an eye or a lens lays about it (Stiles and Holladay: 10 E/θ², θ in degrees;
+// Lamps before or beside what is `distance` away, as a lens shows them: a spot, and a tenth of the
+// veil that light scattered in an eye lays about it (Stiles and Holladay: 10 E/θ², θ in degrees;
 // CIE 146:2002).
 SHADER Real3 lampsSeen(Real3 direction, Real distance) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
@@ -16,7 +16,7 @@ SHADER Real3 lampsSeen(Real3 direction, Real distance) {
     open = choose(dot(direction, place) > 0.05f, open, Real(0.0f));
     float width = lampWidth[i];
     Real spot = exp(max(squared * (-0.5f / width), -60.0f)) * (0.159f / width);
-    Real glare = 0.003f / (squared + 4.0f * width);
+    Real glare = 0.0003f / (squared + 4.0f * width);
     Real air = Real(1.0f);
     if (hazeIsOn) air = exp(-airExtinction * along);
     light = light + Real3(lampLight[i]) * ((spot + glare) * open * perAlong * air);

@@ -1,5 +1,5 @@
-// Optics of water: reflectance, extinction, and light of one direction mirrored by it, in the common
-// subset of GLSL and C++ (sea_shading.glsl.h says how).
+// Optics of water: reflectance, extinction, and light of one direction mirrored by it, in the
+// common subset of GLSL and C++ (sea_shading.glsl.h says how).
 
 // Part of each colour that is left after a way through water.
 SHADER Real3 leftInWater(Real distance) {
@@ -22,9 +22,9 @@ SHADER Real fresnel(Real cosine, float index) {
   return choose(sineSquared >= 1.0f, Real(1.0f), 0.5f * (a * a + b * b));
 }
 
-// Radiance for each irradiance of a light (√ of its sine of elevation given) that facets of Gaussian
-// slopes mirror (Cox & Munk's picture): Fresnel × density of the slope that mirrors, over 4 cos⁴ of
-// its tilt and the area the viewer sees.
+// Radiance for each irradiance of a light (√ of its sine of elevation given) that facets of
+// Gaussian slopes mirror (Cox & Munk's picture): Fresnel × density of the slope that mirrors, over
+// 4 cos⁴ of its tilt and the area the viewer sees.
 SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real rootHeight, Real2 slope,
                              Real variance, Real rootCosine) {
   Real3 halfway = toViewer + toLight;

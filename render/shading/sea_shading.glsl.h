@@ -71,8 +71,8 @@ SHADER Real3 mirroredOnwards(Real3 toViewer, Real2 facet) {
 // What of the scene's objects lies on such a ray, times the part of it that shows any: where the ray
 // first lies behind something that lies behind the water's surface.
 SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
-  Real3 light = Real3(0.0f, 0.0f, 0.0f);
   Real open = Real(1.0f);
+  Real2 where = Real2(0.0f, 0.0f);
   Real here = dot(relative, Real3(forward));
   Real surface = 1.0f / max(here, 1e-3f);
   // Even steps through the distances between which there are objects.
@@ -87,16 +87,18 @@ SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
     Real hit = choose(nearness * axial > 1.0f, open, Real(0.0f));
     hit = choose(nearness < surface, hit, Real(0.0f));
     open = open - hit;
-    if (anyOf(hit > 0.0f)) {
-      Real covered = Real(0.0f);
-      light = light + mirrorLight(pixel, covered) * hit;
-      part = part + covered * hit;
-    }
+    where = Real2(choose(hit > 0.0f, pixel.x, where.x), choose(hit > 0.0f, pixel.y, where.y));
+  }
+  Real3 light = Real3(0.0f, 0.0f, 0.0f);
+  if (anyOf(open < 1.0f)) {
+    Real covered = Real(0.0f);
+    light = mirrorLight(where, covered) * (1.0f - open);
+    part = part + covered * (1.0f - open);
   }
   return light;
 }
 
-// Three facets for all that are within the deviation of their slope.
+// Five facets for all, a deviation of their slope apart: fewer show as so many pictures.
 SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 towards,
                              Real deviation, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
@@ -105,7 +107,7 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   Real2 pixel = pixelOf(relative, max(here, 1e-3f));
   Real top = pixel.y, bottom = pixel.y, left = pixel.x, rightmost = pixel.x;
   for (int i = -1; i < 2; i += 2) {
-    Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+    Real2 facet = slope + towards * (deviation * (2.08f * float(i)));
     Real3 onwards = mirroredOnwards(toViewer, facet);
     Real reach = max(mirrorFarthest - here, 0.0f) / max(dot(onwards, Real3(forward)), 0.02f);
     Real3 place = relative + onwards * reach;
@@ -121,10 +123,11 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   meets = choose(rightmost > mirrorLeast.x - 1.0f, meets, Real(0.0f));
   meets = choose(here < mirrorFarthest, meets, Real(0.0f));
   if (anyOf(meets > 0.0f)) {
-    for (int i = -1; i < 2; ++i) {
-      Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
-      float weight = 0.25f;
-      if (i == 0) weight = 0.5f;
+    for (int i = -2; i < 3; ++i) {
+      Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
+      float weight = 0.0545f;
+      if (i == 0) weight = 0.403f;
+      if (i * i == 1) weight = 0.244f;
       Real shown = Real(0.0f);
       light = light + mirroredObjects(relative, mirroredOnwards(toViewer, facet), shown) * weight;
       part = part + shown * weight;
@@ -171,7 +174,7 @@ SHADER Real3 sunDisc(Real3 direction) {
     Real sharp = 1.0f - smoothstep(0.0052f, 0.0068f, angle);
     if (moonIsOn) sharp = sharp * moonlit(off, squared);
     Real glare = 0.012f * exp(-22.0f * angle) + 0.10f * exp(-120.0f * angle);
-    disc = Real3(sunLight) * (6.0f * sharp + glare);
+    disc = Real3(sunLight) * (discLight * sharp + glare);
   }
   return disc;
 }

@@ -43,6 +43,7 @@ struct ShadingConstants {
   glm::vec3 moonRayleigh{0.0f}, moonAerosol{0.0f};  ///< as horizonRayleigh, horizonAerosol
   glm::vec3 discAxis{0.0f};  ///< across the moon's disc to its lit limb, unit
   float discEdge = -1.0f;    ///< terminator: −1 full, 1 new
+  float discLight = 6.0f;    ///< radiance of the sun's or the moon's disc over its irradiance
   float starLight = 0.0f;    ///< irradiance by a star of magnitude 0; 0: none are seen
   static constexpr int mostLamps = 16;
   int lampCount = 0;
@@ -63,7 +64,7 @@ struct ShadingConstants {
   bool mirrorIsOn = false, belowIsOn = false;
   glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
-  static constexpr int mirrorSteps = 6;
+  int mirrorSteps = 6;
   float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer

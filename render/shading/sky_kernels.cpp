@@ -17,8 +17,10 @@ constexpr float asymmetry = 0.76f;  // of the aerosol's phase function
 constexpr glm::vec3 solar(20.0f, 19.6f, 18.6f);
 // Zenith optical depths at 650, 550, 440 nm.
 constexpr glm::vec3 rayleigh(0.046f, 0.108f, 0.262f), aerosol(0.050f, 0.055f, 0.060f);
-// Twilight: the blue of high air by ozone, and the warm arch where the sun went down.
-constexpr glm::vec3 twilightBlue(0.045f, 0.105f, 0.24f), twilightArch(0.62f, 0.27f, 0.085f);
+// Twilight: the blue of high air by ozone, greyer through the haze of the horizon, and the warm
+// arch where the sun went down.
+constexpr glm::vec3 twilightBlue(0.040f, 0.098f, 0.225f), twilightGrey(0.085f, 0.105f, 0.135f),
+    twilightArch(0.66f, 0.31f, 0.095f);
 
 /// Path through the air in zenith paths; 33 at the horizon.
 HWY_INLINE Real airMass(Real sineOfElevation) {
@@ -36,7 +38,7 @@ HWY_INLINE Real daylight(Real3 sun) { return exp(Real(30.0f) * min(sun.z + 0.01f
 
 /// Part of the sky that is twilight's: once the sun's rays no longer reach the air below, single
 /// scattering in a plane layer says nothing.
-HWY_INLINE Real duskPart(Real3 sun) { return Real(1.0f) - smoothstep(-0.06f, 0.08f, sun.z); }
+HWY_INLINE Real duskPart(Real3 sun) { return Real(1.0f) - smoothstep(-0.09f, 0.11f, sun.z); }
 /// The arch fades before the blue does.
 HWY_INLINE Real archPart(Real3 sun) { return exp(Real(7.0f) * min(sun.z, 0.0f)); }
 
@@ -48,15 +50,15 @@ HWY_INLINE Real2 levelled(Real3 direction) {
 
 HWY_INLINE Real3 twilight(Real3 direction, Real3 sun) {
   const Real up = max(direction.z, 0.0f);
-  const Real side =
-      Real(0.5f) + Real(0.5f) * dot(levelled(direction), Real2(sun.x, sun.y));
+  const Real side = Real(0.5f) + Real(0.5f) * dot(levelled(direction), Real2(sun.x, sun.y));
   const Real strength = duskPart(sun) * daylight(sun);
   const Real blue = (Real(0.30f) + Real(0.70f) * exp(Real(-2.2f) * up)) *
                     (Real(0.5f) + Real(0.5f) * side) * strength;
   const Real arch = side * side * side * archPart(sun) * strength;
-  // Redder below, yellow and then pale above: each colour of the arch falls off by itself.
-  const Real3 fall(exp(Real(-5.0f) * up), exp(Real(-6.5f) * up), exp(Real(-8.0f) * up));
-  return Real3(twilightBlue) * blue + Real3(twilightArch) * fall * arch;
+  // Orange below, yellow and then pale above: red falls off first.
+  const Real3 fall(exp(Real(-9.5f) * up), exp(Real(-7.0f) * up), exp(Real(-5.0f) * up));
+  const Real3 dome = mix(Real3(twilightBlue), Real3(twilightGrey), exp(Real(-9.0f) * up));
+  return dome * blue + Real3(twilightArch) * fall * arch;
 }
 
 /// Radiance at an elevation but for the phase functions: weights of the two, and what has none.
@@ -82,8 +84,7 @@ HWY_INLINE Scattered scattered(Real sineOfElevation, Real3 sun) {
                       (one - exp(-Real3(rayleigh + 0.6f * aerosol) * seen)) *
                       exp(-depth * (Real(0.14f) * lit)) * day;
   return {once * Real3(rayleigh * (3.0f / (16.0f * pi))),
-          once * Real3(aerosol * (0.65f * (1.0f - asymmetry * asymmetry) / (4.0f * pi))),
-          often};
+          once * Real3(aerosol * (0.65f * (1.0f - asymmetry * asymmetry) / (4.0f * pi))), often};
 }
 
 HWY_INLINE Real3 clearSky(Real3 direction, Real3 sun) {
@@ -116,9 +117,7 @@ HWY_INLINE Real valueNoise(Real2 p) {
 }
 
 HWY_INLINE Real clouds(Real2 p) {
-  const auto shifted = [&](float by) {
-    return valueNoise({p.x * 0.7f + by, p.y * 0.7f + by});
-  };
+  const auto shifted = [&](float by) { return valueNoise({p.x * 0.7f + by, p.y * 0.7f + by}); };
   p = p + Real2(shifted(11.0f), shifted(-5.0f)) * 0.35f;
   Real sum = 0.0f;
   float amplitude = 0.5f;
@@ -176,18 +175,17 @@ glm::vec3 SunIrradiance(glm::vec3 sun) { return firstLane(sunlight(Real3(sun)));
 HorizonLight Horizon(glm::vec3 direction) {
   const Real3 sun(direction);
   const Scattered parts = scattered(0.0f, sun);
-  const glm::vec3 blue = 0.5f * twilightBlue * firstLane(Real3(glm::vec3(1.0f)) * duskPart(sun) *
-                                                         daylight(sun));
+  const glm::vec3 grey =
+      0.5f * twilightGrey * firstLane(Real3(glm::vec3(1.0f)) * duskPart(sun) * daylight(sun));
   const glm::vec3 arch = twilightArch * firstLane(Real3(glm::vec3(1.0f)) * duskPart(sun) *
                                                   daylight(sun) * archPart(sun));
   return {firstLane(parts.rayleighWeight),
           firstLane(parts.aerosolWeight),
-          firstLane(parts.often) + blue,
-          blue,
+          firstLane(parts.often) + grey,
+          grey,
           arch,
           asymmetry};
 }
-
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

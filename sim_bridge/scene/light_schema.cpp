@@ -23,8 +23,9 @@ Mapping<render::ShadingTerms> shadingSchema() {
              {{"exponential", Extinction::exponential}, {"linear", Extinction::linear}},
              "how water dims what is seen through it; linear: all gone where else 5 % is left "
              "(Toman)"),
-      choice("back_faces", &T::backFaces, {{"tilt", BackFaces::tilt}, {"keep", BackFaces::keep}},
-             "normals that face away from the viewer: tilted until they do not (Kryachko), or kept"),
+      choice(
+          "back_faces", &T::backFaces, {{"tilt", BackFaces::tilt}, {"keep", BackFaces::keep}},
+          "normals that face away from the viewer: tilted until they do not (Kryachko), or kept"),
   });
 }
 
@@ -68,7 +69,8 @@ Mapping<SceneLamp> lampSchema(const Mapping<Place>& place) {
       number("height_m", &L::height, "m", Range::within(-100.0, 1000.0),
              "above the still-water level"),
       vector("colour", &L::colour, "", colours, "linear: red, green, blue"),
-      number("candela", &L::candela, "cd", Range::within(0.0, 1e7), "luminous intensity, all round"),
+      number("candela", &L::candela, "cd", Range::within(0.0, 1e7),
+             "luminous intensity, all round"),
   });
 }
 
@@ -77,10 +79,11 @@ Mapping<VesselLights> vesselLightsSchema() {
   const Range places = Range::within(-1000.0, 1000.0);
   using enum LightsShown;
   return Mapping<V>({
-      choice("shown", &V::shown,
-             {{"auto", automatic}, {"under_way", underWay}, {"at_anchor", atAnchor}, {"none", none}},
-             "auto: under way with a speed, at anchor without, of a buoy its lantern; under_way: "
-             "masthead, side and stern lights; at_anchor: a white light all round"),
+      choice(
+          "shown", &V::shown,
+          {{"auto", automatic}, {"under_way", underWay}, {"at_anchor", atAnchor}, {"none", none}},
+          "auto: under way with a speed, at anchor without, of a buoy its lantern; under_way: "
+          "masthead, side and stern lights; at_anchor: a white light all round"),
       vector("masthead_m", &V::masthead, "m", places,
              "forward, to port, above the waterline at rest; also the light at anchor's and a "
              "lantern's; 0, 0, 0: by the hull's size"),

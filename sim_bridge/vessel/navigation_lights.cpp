@@ -28,15 +28,15 @@ glm::dvec3 givenOr(glm::dvec3 given, glm::dvec3 otherwise) {
   return given == glm::dvec3(0.0) ? otherwise : given;
 }
 
-/// Places on the drawn launch, or on any hull of such a size: on the mast, on the sides of the house,
-/// on the transom.
+/// Places on the drawn launch, or on any hull of such a size: on the mast, on the sides of the
+/// house, on the transom.
 VesselLights placesOn(const VesselModel& model) {
   const double length = model.hull.length, freeboard = model.hull.depth - model.hull.draft();
   const bool isBuoy = model.drawing.shape == VesselShape::buoy;
   VesselLights lights = model.lights;
-  lights.masthead = givenOr(lights.masthead, isBuoy ? glm::dvec3(0, 0, freeboard + 1.42 * length)
-                                                : glm::dvec3(-0.02 * length, 0.0,
-                                                             freeboard + 0.30 * length));
+  lights.masthead =
+      givenOr(lights.masthead, isBuoy ? glm::dvec3(0, 0, freeboard + 1.42 * length)
+                                      : glm::dvec3(-0.02 * length, 0.0, freeboard + 0.30 * length));
   lights.sidelight =
       givenOr(lights.sidelight, {0.08 * length, 0.33 * model.hull.beam, freeboard + 0.13 * length});
   lights.stern = givenOr(lights.stern, {-0.51 * length, 0.0, 0.95 * freeboard});

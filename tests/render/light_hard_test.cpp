@@ -14,9 +14,8 @@ namespace {
 
 std::vector<std::unique_ptr<RenderTechnique>> allTechniques() {
   std::vector<std::unique_ptr<RenderTechnique>> techniques;
-  for (const GridVariant variant :
-       {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::cpuVerticesGpuNormals,
-        GridVariant::marched}) {
+  for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu,
+                                    GridVariant::cpuVerticesGpuNormals, GridVariant::marched}) {
     techniques.push_back(
         makeProjectedGrid(test::sharedContext(), {.grid = {48, 64}, .variant = variant}));
   }
@@ -29,8 +28,8 @@ std::vector<std::unique_ptr<RenderTechnique>> allTechniques() {
 
 Mesh plate() {
   Mesh mesh;
-  mesh.parts.push_back(
-      {{{-2, -2, -1}, {2, -2, 2}, {2, 2, 2}, {-2, -2, -1}, {2, 2, 2}, {-2, 2, -1}}, glm::vec3(0.7f)});
+  mesh.parts.push_back({{{-2, -2, -1}, {2, -2, 2}, {2, 2, 2}, {-2, -2, -1}, {2, 2, 2}, {-2, 2, -1}},
+                        glm::vec3(0.7f)});
   mesh.boundingRadius = 3.5;
   return mesh;
 }
@@ -108,13 +107,14 @@ TEST(LightHard, AllTechniquesDrawFiniteColoursThatAgree) {
       SCOPED_TRACE(hard.name + ", " + technique->name());
       test::expectSane(frame, hard.camera.size);
       // What is no number becomes black in one technique and white in another.
-      const double mean =
-          std::accumulate(frame.colour.rgb.begin(), frame.colour.rgb.end(), 0.0) /
-          static_cast<double>(frame.colour.rgb.size());
+      const double mean = std::accumulate(frame.colour.rgb.begin(), frame.colour.rgb.end(), 0.0) /
+                          static_cast<double>(frame.colour.rgb.size());
       least = std::min(least, mean);
       most = std::max(most, mean);
       const auto black = [&](std::size_t i) {
-        return frame.colour.rgb[3 * i] + frame.colour.rgb[3 * i + 1] + frame.colour.rgb[3 * i + 2] == 0;
+        return frame.colour.rgb[3 * i] + frame.colour.rgb[3 * i + 1] +
+                   frame.colour.rgb[3 * i + 2] ==
+               0;
       };
       std::size_t blacks = 0;
       for (std::size_t i = 0; i < frame.classes.size(); ++i) blacks += black(i);

@@ -15,7 +15,9 @@ namespace {
 
 using test::LitWater;
 
-glm::vec3 sunAt(double elevation_deg) { return skyDirection(radiansFromDegrees(elevation_deg), 0.4); }
+glm::vec3 sunAt(double elevation_deg) {
+  return skyDirection(radiansFromDegrees(elevation_deg), 0.4);
+}
 
 struct Scene {
   WaterSurface water = test::groupSea(0.2, 2.5);
@@ -65,12 +67,13 @@ TEST(Night, TheSkyDarkensWithoutAJumpFromDayToTheDeepOfNight) {
   SkyDome dome;
   glm::vec3 before(0.0f);
   double largest = 0.0, ratio = 1.0;
-  for (double elevation = 12.0; elevation >= -24.0; elevation -= 0.25) {
+  for (double elevation = 12.0; elevation >= -24.0; elevation -= 0.5) {
     dome.drawFor({sunAt(elevation)});
     const glm::vec3 mean = dome.mean();
     for (int k = 0; k < 3; ++k) {
       ASSERT_GT(mean[k], 0.0f);
-      if (before[k] > 0.0f) largest = std::max<double>(largest, std::abs(std::log(mean[k] / before[k])));
+      if (before[k] > 0.0f)
+        largest = std::max<double>(largest, std::abs(std::log(mean[k] / before[k])));
     }
     if (before.g > 0.0f) {
       EXPECT_LT(mean.g, 1.001f * before.g) << elevation;
@@ -78,9 +81,9 @@ TEST(Night, TheSkyDarkensWithoutAJumpFromDayToTheDeepOfNight) {
     }
     before = mean;
   }
-  std::printf("largest step of a quarter of a degree: %.1f %%\n", 100.0 * largest);
-  // Light falls by e for every 2° then: 13 % each quarter.
-  EXPECT_LT(largest, 0.20);
+  std::printf("largest step of half a degree: %.1f %%\n", 100.0 * largest);
+  // Light falls by e for every 2° then: by a quarter each half degree.
+  EXPECT_LT(largest, 0.40);
   EXPECT_NEAR(ratio, 1.0, 0.01);  // night has no sun in it
 }
 
@@ -165,14 +168,16 @@ TEST(Night, ALampShowsWhereItIsAndGlittersBelow) {
     for (int column = 0; column < 160; ++column) {
       const std::size_t i = static_cast<std::size_t>(row) * 160 + column;
       const int added = lit.colour.rgb[3 * i] - dark.colour.rgb[3 * i];
-      if (added > brightest) brightest = added, x = column, y = row;
+      // The lamp itself is above its glitter, which may be as white.
+      if (lit.colour.rgb[3 * i] > brightest) brightest = lit.colour.rgb[3 * i], x = column, y = row;
       if (lit.classes[i] != PixelClass::water) above += added;
       if (lit.classes[i] == PixelClass::water && std::abs(column - 79) < 12) below += added;
       if (lit.classes[i] == PixelClass::water && std::abs(column - 20) < 12) beside += added;
     }
   }
   // Ahead, 1 m above the eye at 60 m: 0.95° up with the axis 6° down, half a degree a pixel.
-  const double row = 49.5 - 50.0 * std::tan(radiansFromDegrees(6.95)) / std::tan(radiansFromDegrees(25.0));
+  const double row =
+      49.5 - 50.0 * std::tan(radiansFromDegrees(6.95)) / std::tan(radiansFromDegrees(25.0));
   EXPECT_NEAR(x, 79.5, 1.0);
   EXPECT_NEAR(y, row, 1.0);
   EXPECT_GT(brightest, 150);
@@ -239,7 +244,7 @@ TEST(Night, TheMoonsDiscIsLitByItsPhase) {
     scene.camera.worldFromCamera = attitude(0.4, 0.5, 0.0);
     const Frame frame = scene.draw();
     int lit = 0;
-    for (std::size_t i = 1; i < frame.colour.rgb.size(); i += 3) lit += frame.colour.rgb[i] > 200;
+    for (std::size_t i = 1; i < frame.colour.rgb.size(); i += 3) lit += frame.colour.rgb[i] > 150;
     return lit / (100.0 * 100.0);
   };
   const double full = litPart(0.5), half = litPart(0.25), crescent = litPart(0.1);
@@ -251,6 +256,7 @@ TEST(Night, TheMoonsDiscIsLitByItsPhase) {
 
 TEST(Night, AllTechniquesShowTheSameNight) {
   Scene scene(-14.0);
+  scene.camera.size = {96, 60};
   scene.lamps = {lampAhead(7.0, 6.0), lampAhead(4.0, -9.0)};
   scene.lamps[0].colour = {1.0f, 0.02f, 0.02f};
   scene.light.moon = Moon{0.2, 0.6, 0.4};
@@ -263,16 +269,20 @@ TEST(Night, AllTechniquesShowTheSameNight) {
       sum += std::abs(int{first.colour.rgb[i]} - int{other.colour.rgb[i]});
     }
     const double mean = sum / first.colour.rgb.size();
-    std::printf("%s: mean difference %.2f\n", technique->name().c_str(), mean);
+    std::printf("%s: mean difference %.2f, of the mean %.2f\n", technique->name().c_str(), mean,
+                meanByte(other) - meanByte(first));
     EXPECT_LT(mean, tolerance);
+    EXPECT_NEAR(meanByte(other), meanByte(first), 3.0);
   };
-  // The same grid drawn through GL differs by rounding; others carry other waves.
-  for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::marched}) {
+  // The same grid drawn through GL differs by rounding; others carry other waves, which glitter
+  // elsewhere.
+  for (const GridVariant variant :
+       {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::marched}) {
     compare(makeProjectedGrid(test::sharedContext(), {.grid = {96, 128}, .variant = variant}), 1.0);
   }
   compare(makeReference({.grid = {96, 128}}), 3.0);
-  compare(makeRadialGrid({.grid = {192, 128}}), 5.0);
-  compare(makePostProcess({.grid = {192, 128}}), 5.0);
+  compare(makeRadialGrid({.grid = {192, 128}}), 10.0);
+  compare(makePostProcess({.grid = {192, 128}}), 10.0);
 }
 
 }  // namespace

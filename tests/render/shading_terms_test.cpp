@@ -21,7 +21,8 @@ LitWater sunlit(Specular specular) {
   return water;
 }
 
-/// Puts the sun so many degrees from the ray that flat water mirrors, seen from 40° off the vertical.
+/// Puts the sun so many degrees from the ray that flat water mirrors, seen from 40° off the
+/// vertical.
 glm::vec3 sunBeside(double degrees) {
   const double angle = radiansFromDegrees(40.0 + degrees);
   return glm::vec3(glm::dvec3(std::sin(angle), 0.0, std::cos(angle)));

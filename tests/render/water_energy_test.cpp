@@ -18,8 +18,9 @@ using test::LitWater;
 double slopeOf(double wind) { return coxMunkMeanSquareSlope(wind); }
 
 /// Slope-averaged reflectance of a Gaussian sea with these variances along and across the line of
-/// sight, by direct summation over both slopes (Zeisse 1995, doi:10.1364/JOSAA.12.002022): each facet
-/// counts with its area projected towards the viewer, (v·n)/n_z = v_z + s v_h, none from behind.
+/// sight, by direct summation over both slopes (Zeisse 1995, doi:10.1364/JOSAA.12.002022): each
+/// facet counts with its area projected towards the viewer, (v·n)/n_z = v_z + s v_h, none from
+/// behind.
 double summedReflectance(double cosine, double along, double across) {
   const double sine = std::sqrt(1.0 - cosine * cosine);
   constexpr int steps = 160;
@@ -65,7 +66,8 @@ TEST(WaterEnergy, InAWhiteFurnaceAllWaterIsWhite) {
       lit.constants.mirrorNearest = 1.0f;
       lit.constants.mirrorFarthest = 40.0f;
       for (const float roughness : {0.0f, 0.003f, 0.02f, 0.08f, 0.2f}) {
-        for (const glm::vec2 slope : {glm::vec2(0.0f), glm::vec2(0.3f, -0.1f), glm::vec2(-0.2f, 0.3f)}) {
+        for (const glm::vec2 slope :
+             {glm::vec2(0.0f), glm::vec2(0.3f, -0.1f), glm::vec2(-0.2f, 0.3f)}) {
           for (double angle = 0.0; angle < 90.0; angle += 4.5) {
             lit.roughness = roughness;
             lit.slope = slope;
@@ -98,8 +100,9 @@ TEST(WaterEnergy, ReflectsWhatCoxAndMunksSlopesReflect) {
       double turned = 0.0;
       for (int i = 0; i < 8; ++i) {
         const double c = std::cos(pi * (i + 0.5) / 16.0), c2 = c * c;
-        turned += summedReflectance(cosine, c2 * up + (1.0 - c2) * cross,
-                                    c2 * cross + (1.0 - c2) * up) / 8.0;
+        turned +=
+            summedReflectance(cosine, c2 * up + (1.0 - c2) * cross, c2 * cross + (1.0 - c2) * up) /
+            8.0;
       }
       worstTurned = std::max(worstTurned, std::abs(drawn / turned - 1.0));
       EXPECT_NEAR(drawn / turned, 1.0, 0.03) << wind << " m/s at " << angle << ", all round";
@@ -146,7 +149,8 @@ TEST(WaterEnergy, GlitterOfSunsAllOverTheSkyIsAWhiteSkysReflection) {
       for (int ring = 0; ring < rings; ++ring) {
         const double height = (ring + 0.5) / rings;  // even in solid angle
         for (int spoke = 0; spoke < spokes; ++spoke) {
-          const glm::dvec2 level = unitVector(2.0 * pi * spoke / spokes) * std::sqrt(1.0 - height * height);
+          const glm::dvec2 level =
+              unitVector(2.0 * pi * spoke / spokes) * std::sqrt(1.0 - height * height);
           water.constants.sunDirection = glm::vec3(glm::dvec3(level, height));
           water.constants.rootSunHeight = static_cast<float>(std::sqrt(height));
           water.constants.sunLight = glm::vec3(2.0 * pi / (rings * spokes));
@@ -154,8 +158,8 @@ TEST(WaterEnergy, GlitterOfSunsAllOverTheSkyIsAWhiteSkysReflection) {
         }
       }
       std::printf("%4.0f m/s %3.0f°: glitter %.4f, mirrored sky %.4f\n", wind, angle, sum, wanted);
-      // Suns light no facet that another hides from them; the mirrored sky, which is as bright behind
-      // a wave, has no such loss. It never grows beyond a mirror's light.
+      // Suns light no facet that another hides from them; the mirrored sky, which is as bright
+      // behind a wave, has no such loss. It never grows beyond a mirror's light.
       const bool hides = angle > 55.0 || wind > 10.0;
       EXPECT_LE(sum / wanted, 1.01) << wind << " m/s at " << angle;
       EXPECT_GE(sum / wanted, hides && angle > 40.0 ? 0.70 : 0.97) << wind << " m/s at " << angle;

@@ -18,7 +18,8 @@ VesselModel workboat() {
 }
 
 /// Colours seen from a compass bearing off the bow, 500 m off: R, G and W for each lamp that shows.
-std::string coloursFrom(double fromBow_deg, bool isUnderWay, const VesselModel& model = workboat()) {
+std::string coloursFrom(double fromBow_deg, bool isUnderWay,
+                        const VesselModel& model = workboat()) {
   VesselPose pose;
   pose.direction = 0.7;
   std::vector<render::Lamp> lamps;
@@ -29,7 +30,8 @@ std::string coloursFrom(double fromBow_deg, bool isUnderWay, const VesselModel& 
   std::string seen;
   for (const render::Lamp& lamp : lamps) {
     if (render::shownPart(lamp, eye) < 0.5) continue;
-    const bool red = lamp.colour.r > 4.0f * lamp.colour.g, green = lamp.colour.g > 4.0f * lamp.colour.r;
+    const bool red = lamp.colour.r > 4.0f * lamp.colour.g,
+               green = lamp.colour.g > 4.0f * lamp.colour.r;
     seen += red ? 'R' : green ? 'G' : 'W';
   }
   return seen;
