@@ -1,9 +1,12 @@
 #include "render/lighting_decision.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/scene_object.h"
+#include "render/shading/night_constants.h"
 #include "render/shading/shading_tables.h"
+#include "surface/constants.h"
 #include "surface/whitecaps.h"
 
 namespace seaway::render {
@@ -52,6 +55,45 @@ bool decideRain(const View& view, const Shown& shown) {
          called;
 }
 
+bool decideHaze(const View& view, const Shown& shown) {
+  const bool called = (shown.water || shown.objects) && !shown.cameraIsUnderWater;
+  return view.effects->decide(Effect::haze, called,
+                              called                     ? "air dims what is far"
+                              : shown.cameraIsUnderWater ? "the camera is under water"
+                                                         : "nothing but sky is in view") &&
+         called;
+}
+
+/// Whether the moon stands in for a sun that is below the horizon.
+bool decideMoon(const View& view, bool sunIsUp, bool isSeen) {
+  const auto& moon = view.light.moon;
+  const bool isUp = moon && directionOf(*moon).z > -0.01f;
+  const bool called = isUp && !sunIsUp && isSeen;
+  return view.effects->decide(Effect::moon, called,
+                              called    ? "the moon is up and the sun is not"
+                              : !moon   ? "the scene has no moon"
+                              : sunIsUp ? "the sun is up"
+                              : !isUp   ? "the moon is below the horizon"
+                                        : "nothing that it lights is in view") &&
+         called;
+}
+
+/// Navigation lights are shown from sunset to sunrise (COLREG, Rule 20b).
+bool decideLamps(const View& view, glm::vec3 sunDirection, bool isUnderWater) {
+  const bool any = std::any_of(view.lamps.begin(), view.lamps.end(), [&](const Lamp& lamp) {
+    return shownPart(lamp, view.camera.position) > 0.0;
+  });
+  const bool isDark = sunDirection.z < 0.0f;
+  const bool called = any && isDark && !isUnderWater;
+  return view.effects->decide(Effect::lights, called,
+                              called               ? "a lamp shows and the sun has set"
+                              : !isDark            ? "the sun is up"
+                              : view.lamps.empty() ? "the scene has no lamps"
+                              : isUnderWater       ? "the camera is under water"
+                                                   : "no lamp's arc shows towards the camera") &&
+         any && !isUnderWater;
+}
+
 }  // namespace
 
 Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyDome>& sky) {
@@ -73,12 +115,27 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
                                           sunIsSeen ? "the sun is up"
                                           : sunIsUp ? "nothing that it lights is in view"
                                                     : "the sun is below the horizon");
+  lighting.hazeIsOn = decideHaze(view, shown);
+  if (decideMoon(view, sunIsUp, skyIsSeen || shown.objects)) {
+    lighting.moonDirection = directionOf(*view.light.moon);
+    lighting.moonPart = moonPart(*view.light.moon, lighting.sunDirection);
+    lighting.moonEdge = static_cast<float>(std::cos(2.0 * pi * view.light.moon->phase));
+  }
+  lighting.lampsAreOn = decideLamps(view, lighting.sunDirection, shown.cameraIsUnderWater);
+  const std::optional<Effect> payer = shown.water ? std::optional(Effect::water)
+                                      : skyIsSeen ? std::optional(Effect::sky)
+                                                  : std::nullopt;
+  if (payer) {
+    if (lighting.hazeIsOn) view.effects->chargeInside(Effect::haze, *payer);
+    if (lighting.moonPart > 0.0f) view.effects->chargeInside(Effect::moon, *payer);
+    if (lighting.lampsAreOn) view.effects->chargeInside(Effect::lights, *payer);
+  }
   const char* reason = shown.water ? "water reflects it"
                        : skyIsSeen ? "the camera sees above the horizon"
                                    : "nothing shows or reflects it";
   if (view.effects->decide(Effect::sky, skyIsSeen, reason)) {
     if (!sky) sky.emplace();
-    sky->drawFor(lighting.sunDirection);
+    sky->drawFor({lighting.sunDirection, lighting.moonDirection, lighting.moonPart});
     lighting.sky = &*sky;
   }
   return lighting;

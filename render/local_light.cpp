@@ -81,7 +81,8 @@ void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
   image.size = box.end - box.least;
   image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
   ShadingConstants lit = constants;
-  lit.airExtinction = 0.0f;
+  lit.hazeIsOn = false;
+  lit.lampCount = 0;  // places are not known here
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip;
@@ -120,6 +121,9 @@ void LocalLight::setConstants(ShadingConstants& constants) const {
   constants.mirrorSize = glm::vec2(mirrored_.size);
   constants.belowLeast = glm::vec2(below_.least);
   constants.belowSize = glm::vec2(below_.size);
+  // Between steps a ray passes a twentieth of its way over the picture at most, on slopes of 0.15.
+  const float part = farthest_ > 0.0f ? 1.0f - nearest_ / farthest_ : 0.0f;
+  constants.mirrorSteps = std::clamp(static_cast<int>(std::ceil(10.0f * part)), 2, 6);
   constants.mirrorNearest = 0.99f * nearest_;
   constants.mirrorFarthest = 1.01f * farthest_;
 }

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,12 +20,58 @@ namespace seaway::render {
 
 class HeadlessContext;
 
+/// How the sun glitters on water.
+enum class Specular : int {
+  slopes = 0,  ///< over the slopes of facets that the pixel cannot show (Cox & Munk 1954): default
+  phong = 1,   ///< Phong's lobe about the mirrored ray, exponent 256, times Fresnel (Johanson 2004)
+  toman = 2,   ///< Toman's term, brighter where water reflects less, shininess 0.6
+};
+
+/// How water dims what is seen through it.
+enum class Extinction {
+  exponential,  ///< Beer and Lambert: e^(−3 d/D), D the distance of full extinction of a colour
+  linear,       ///< Toman's 1 − d/D, nothing beyond D
+};
+
+/// Normals that face away from the viewer, on the back sides of waves.
+enum class BackFaces {
+  tilt,  ///< are turned towards the viewer until they are seen edge-on (Kryachko 2005): default
+  keep,  ///< are shaded as they are
+};
+
+/// Rival terms of shading, by those who proposed them.
+struct ShadingTerms {
+  Specular specular = Specular::slopes;
+  Extinction extinction = Extinction::exponential;
+  BackFaces backFaces = BackFaces::tilt;
+};
+
+struct Moon {
+  double elevation = 0.5;  ///< rad above the horizon
+  double direction = 0.0;  ///< rad counter-clockwise from east: where it stands
+  double phase = 0.5;      ///< [0, 1]: 0 new, 0.5 full, 1 new again
+};
+
 /// Light that all techniques share.
 struct Light {
   double sunElevation = 0.5;  ///< rad above the horizon, [−π/2, π/2]
   double sunDirection = 0.0;  ///< rad counter-clockwise from east: where the sun stands
   double windSpeed = 7.0;     ///< m/s at 12.5 m: roughness below the field's shortest waves
   double turbidity = 0.045;   ///< of the water, 1/m ≥ 0: what it dims beyond clear water, any colour
+  double visibility = 28e3;   ///< m, > 0: where haze leaves 2 % of a thing's contrast
+  std::optional<Moon> moon{};
+  ShadingTerms terms{};
+};
+
+/// A lamp: a point of light, seen within an arc.
+struct Lamp {
+  glm::dvec3 position{0.0};       ///< in the sea plane's frame, m
+  glm::vec3 colour{1.0f};         ///< linear
+  double candela = 10.0;          ///< luminous intensity
+  glm::dvec3 towards{1, 0, 0};    ///< middle of its arc, unit
+  glm::dvec3 up{0, 0, 1};         ///< normal of the plane of its arc, unit
+  double arc = 6.283185307179586;  ///< rad, from edge to edge; 2π: all round
+  bool shines = false;            ///< on things about it too: it has no screens
 };
 
 /// A plain coloured triangle mesh in its own body frame (x forward, y port, z up, m).
@@ -60,6 +107,7 @@ struct View {
   Camera camera;
   Light light;
   std::span<const SceneObject> objects;
+  std::span<const Lamp> lamps;      ///< shown when it is dusk or dark
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
   bool wantsNormals = false;        ///< fill Frame::normals
   bool wantsRadiance = false;       ///< fill Frame::radiance

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim_bridge/output/progress.h"
+#include "sim_bridge/vessel/navigation_lights.h"
 #include "sim_bridge/vessel/vessel_mesh.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
@@ -83,6 +84,17 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
   view.light.sunDirection = moment.geodesy->directionFromTrueHeading(
       glm::dvec2(view.camera.position), light.sun.azimuth_deg);
   view.light.windSpeed = light.wind.speed;
+  view.light.turbidity = light.turbidity;
+  view.light.visibility = light.visibility;
+  view.light.terms = light.shading;
+  if (light.moon) {
+    view.light.moon = {radiansFromDegrees(light.moon->elevation_deg),
+                       moment.geodesy->directionFromTrueHeading(glm::dvec2(view.camera.position),
+                                                                light.moon->azimuth_deg),
+                       light.moon->phase};
+  }
+  placeLamps(moment);
+  view.lamps = lamps_;
   objects_.clear();
   instances_.clear();
   for (const PlacedVessel& placed : moment.vessels) {
@@ -96,6 +108,28 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
   view.objects = objects_;
   view.effects = &ledger;
   return view;
+}
+
+void SceneView::placeLamps(const SceneMoment& moment) {
+  lamps_.clear();
+  if (scene_->light.sun.elevation_deg >= 0.0 &&
+      scene_->effects[static_cast<std::size_t>(Effect::lights)] != EffectSetting::on) {
+    return;
+  }
+  for (const SceneLamp& lamp : scene_->lamps) {
+    const SeaPlanePoint point =
+        moment.geodesy->seaPlaneFromGeodetic(lamp.place.latitude_deg, lamp.place.longitude_deg);
+    render::Lamp placed;
+    placed.position = glm::dvec3(point.position, lamp.height);
+    placed.colour = lamp.colour;
+    placed.candela = lamp.candela;
+    placed.shines = true;
+    lamps_.push_back(placed);
+  }
+  for (const PlacedVessel& placed : moment.vessels) {
+    const SceneVessel& vessel = scene_->vessels[placed.vessel];
+    addNavigationLights(vessel.model, placed.pose, vessel.speed != 0.0, lamps_);
+  }
 }
 
 Simulation replayWithProgress(const Scene& scene, const Sea& sea, double t) {

@@ -56,8 +56,12 @@ class SceneView {
   const Scene* scene_;
   std::vector<render::Mesh> meshes_;
   std::vector<PlacedVessel> vessels_;
+  /// By day there are none.
+  void placeLamps(const SceneMoment& moment);
+
   std::vector<render::SceneObject> objects_;
   std::vector<SceneInstance> instances_;
+  std::vector<render::Lamp> lamps_;
 };
 
 /// Simulation::replayed with a progress bar.

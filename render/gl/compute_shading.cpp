@@ -4,7 +4,8 @@ namespace seaway::render {
 
 ComputeShading::ComputeShading()
     : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h",
-                                   "sea_shading.glsl.h", "shade.comp"})) {}
+                                   "optics.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
+                                   "shade.comp"})) {}
 
 void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input,
                            bool wantsRadiance) {

@@ -17,8 +17,8 @@ void drawFullScreen(const GlProgram& program, GLuint framebuffer, glm::ivec2 siz
 
 GlProgram makeShader(std::string_view fragment) {
   return GlProgram({"full_screen.vert"},
-                   {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
-                    "shading_inputs.glsl", fragment});
+                   {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h",
+                    "night_lights.glsl.h", "sea_shading.glsl.h", "shading_inputs.glsl", fragment});
 }
 
 std::string element(const char* name, int i) {
@@ -39,6 +39,31 @@ void setLight(const GlProgram& program, const ShadingConstants& c) {
   program.set("aerosolShape", c.aerosolShape);
   program.set("airExtinction", c.airExtinction);
   program.set("exposure", c.exposure);
+  program.set("hazeIsOn", c.hazeIsOn ? 1 : 0);
+  program.set("specular", c.specular);
+  program.set("extinctionIsLinear", c.extinctionIsLinear ? 1 : 0);
+  program.set("backFacesAreTilted", c.backFacesAreTilted ? 1 : 0);
+}
+
+void setNight(const GlProgram& program, const ShadingConstants& c) {
+  program.set("twilightIsOn", c.twilightIsOn ? 1 : 0);
+  program.set("horizonSide", c.horizonSide);
+  program.set("horizonArch", c.horizonArch);
+  program.set("moonIsOn", c.moonIsOn ? 1 : 0);
+  program.set("levelMoon", c.levelMoon);
+  program.set("moonRayleigh", c.moonRayleigh);
+  program.set("moonAerosol", c.moonAerosol);
+  program.set("discAxis", c.discAxis);
+  program.set("discEdge", c.discEdge);
+  program.set("discLight", c.discLight);
+  program.set("starLight", c.starLight);
+  program.set("lampCount", c.lampCount);
+  for (int i = 0; i < c.lampCount; ++i) {
+    program.set(element("lampPlace", i).c_str(), c.lampPlace[i]);
+    program.set(element("lampLight", i).c_str(), c.lampLight[i]);
+    program.set(element("lampWidth", i).c_str(), c.lampWidth[i]);
+    program.set(element("lampShines", i).c_str(), c.lampShines[i]);
+  }
 }
 
 void setWater(const GlProgram& program, const ShadingConstants& c) {
@@ -73,6 +98,7 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("mirrorSize", c.mirrorSize);
   program.set("belowLeast", c.belowLeast);
   program.set("belowSize", c.belowSize);
+  program.set("mirrorSteps", c.mirrorSteps);
   program.set("mirrorNearest", c.mirrorNearest);
   program.set("mirrorFarthest", c.mirrorFarthest);
 }
@@ -130,6 +156,7 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("cameraIsUnderWater", c.cameraIsUnderWater ? 1 : 0);
   program.set("roughestSlope", static_cast<float>(fresnelTableRoughest));
   setLight(program, c);
+  setNight(program, c);
   setWater(program, c);
   setLocal(program, c);
   setFoamAndRain(program, c);
@@ -138,8 +165,8 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
 ShadingPass::ShadingPass()
     : sky_(makeShader("shade_sky.frag")),
       toneMap_({"full_screen.vert"},
-               {"shading_prelude.glsl", "rain_rings.glsl.h", "sea_shading.glsl.h",
-                "tone_map.frag"}) {}
+               {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h",
+                "night_lights.glsl.h", "sea_shading.glsl.h", "tone_map.frag"}) {}
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {

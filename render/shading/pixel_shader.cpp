@@ -234,6 +234,8 @@ struct PixelShader : ShadingConstants {
 #define SHADER HWY_INLINE
 #define INOUT(type) type&
 #include "render/shading/rain_rings.glsl.h"
+#include "render/shading/optics.glsl.h"
+#include "render/shading/night_lights.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
 #undef SHADER
 #undef INOUT
@@ -313,6 +315,23 @@ void FoamParts(const ShadingSources& sources, const PixelSpan& span, float* part
   }
 }
 
+void SlopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* to) {
+  const Floats f;
+  PixelShader shader(sources);
+  for (int i = 0; i < span.count; i += static_cast<int>(laneCount())) {
+    const Real3 ray =
+        Real3(span.firstRay) + Real3(span.rayStep) * Real(hn::Iota(f, static_cast<float>(i)));
+    const Real3 relative = ray * Real(hn::Load(f, span.axial + i));
+    const Real distance = sqrt(dot(relative, relative));
+    Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
+    const Real footprint = shader.footprintOn(-relative / distance, distance, slope);
+    Real rippled;
+    const Real rough = shader.seenSlope(relative, footprint, hn::Load(f, span.missingSlope + i),
+                                        Real3(0.0f, 0.0f, 0.0f), slope, rippled);
+    hn::StoreInterleaved4(slope.x.v, slope.y.v, rough.v, hn::Zero(f), f, &to[i].x);
+  }
+}
+
 void ShadeSpan(const ShadingSources& sources, const ToneTable& tones, const PixelSpan& span,
                std::uint8_t* rgb) {
   const hn::Rebind<std::uint8_t, Floats> bytes;
@@ -358,7 +377,12 @@ namespace seaway::render {
 HWY_EXPORT(ShadeSpan);
 HWY_EXPORT(ShadeRadiance);
 HWY_EXPORT(FoamParts);
+HWY_EXPORT(SlopesSeen);
 HWY_EXPORT(FillTones);
+
+void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen) {
+  HWY_DYNAMIC_DISPATCH(SlopesSeen)(sources, span, seen);
+}
 
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance) {
   HWY_DYNAMIC_DISPATCH(ShadeRadiance)(sources, span, radiance);

@@ -58,6 +58,11 @@ void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t*
 /// water. `parts` is writable up to the next multiple of 16.
 void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts);
 
+/// Slopes that shading sees at pixels of water: those of waves and ripples in xy, and in z the
+/// mean-square slope of all that a pixel cannot show, its roughness. For tests of the statistics;
+/// `seen` as `radiance` below.
+void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen);
+
 /// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);
 

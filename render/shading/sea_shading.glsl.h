@@ -7,7 +7,7 @@
 // instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
 // roughMirror, roughArea, and of LocalLight's pictures nearness (1/axial distance at a pixel, 0
 // where there is nothing) and light (between pixels, times the part that is covered, which is
-// returned too), and rain_rings.glsl.h before this text.
+// returned too), and rain_rings.glsl.h, optics.glsl.h and night_lights.glsl.h before this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
 SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
@@ -29,19 +29,30 @@ SHADER Real2 levelDirection(Real3 direction) {
 SHADER Real3 horizonSky(Real3 direction) {
   Real cosine = dot(levelDirection(direction), Real2(levelSun.x, levelSun.y));
   Real forwards = max(aerosolShape.x - aerosolShape.y * cosine, 1e-3f);
-  return horizonOften + horizonRayleigh * (1.0f + cosine * cosine) +
-         horizonAerosol / (forwards * sqrt(forwards));
+  Real3 sky = horizonOften + horizonRayleigh * (1.0f + cosine * cosine) +
+              horizonAerosol / (forwards * sqrt(forwards));
+  if (twilightIsOn) {
+    Real side = 0.5f + 0.5f * cosine;
+    sky = sky + Real3(horizonSide) * side + Real3(horizonArch) * (side * side * side);
+  }
+  if (moonIsOn) {
+    Real off = dot(levelDirection(direction), Real2(levelMoon.x, levelMoon.y));
+    Real towards = max(aerosolShape.x - aerosolShape.y * off, 1e-3f);
+    sky = sky + Real3(moonRayleigh) * (1.0f + off * off) +
+          Real3(moonAerosol) / (towards * sqrt(towards));
+  }
+  return sky;
 }
 
 // Air puts the sky just above the horizon in front of everything far away.
 SHADER Real3 hazed(Real3 colour, Real3 direction, Real distance) {
-  return mix(horizonSky(direction), colour, exp(-airExtinction * distance));
+  Real3 seen = colour;
+  if (hazeIsOn) seen = mix(horizonSky(direction), colour, exp(-airExtinction * distance));
+  return seen;
 }
 
 SHADER Real3 throughWater(Real3 colour, Real distance) {
-  Real3 clear = Real3(exp(-waterExtinction.x * distance), exp(-waterExtinction.y * distance),
-                      exp(-waterExtinction.z * distance));
-  return mix(Real3(veil), colour, clear);
+  return mix(Real3(veil), colour, leftInWater(distance));
 }
 
 SHADER Real2 pixelOf(Real3 place, Real axial) {
@@ -60,8 +71,8 @@ SHADER Real3 mirroredOnwards(Real3 toViewer, Real2 facet) {
 // What of the scene's objects lies on such a ray, times the part of it that shows any: where the ray
 // first lies behind something that lies behind the water's surface.
 SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
-  Real3 light = Real3(0.0f, 0.0f, 0.0f);
   Real open = Real(1.0f);
+  Real2 where = Real2(0.0f, 0.0f);
   Real here = dot(relative, Real3(forward));
   Real surface = 1.0f / max(here, 1e-3f);
   // Even steps through the distances between which there are objects.
@@ -76,16 +87,18 @@ SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
     Real hit = choose(nearness * axial > 1.0f, open, Real(0.0f));
     hit = choose(nearness < surface, hit, Real(0.0f));
     open = open - hit;
-    if (anyOf(hit > 0.0f)) {
-      Real covered = Real(0.0f);
-      light = light + mirrorLight(pixel, covered) * hit;
-      part = part + covered * hit;
-    }
+    where = Real2(choose(hit > 0.0f, pixel.x, where.x), choose(hit > 0.0f, pixel.y, where.y));
+  }
+  Real3 light = Real3(0.0f, 0.0f, 0.0f);
+  if (anyOf(open < 1.0f)) {
+    Real covered = Real(0.0f);
+    light = mirrorLight(where, covered) * (1.0f - open);
+    part = part + covered * (1.0f - open);
   }
   return light;
 }
 
-// Three facets for all that are within the deviation of their slope.
+// Five facets for all, a deviation of their slope apart: fewer show as so many pictures.
 SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 towards,
                              Real deviation, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
@@ -94,7 +107,7 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   Real2 pixel = pixelOf(relative, max(here, 1e-3f));
   Real top = pixel.y, bottom = pixel.y, left = pixel.x, rightmost = pixel.x;
   for (int i = -1; i < 2; i += 2) {
-    Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
+    Real2 facet = slope + towards * (deviation * (2.08f * float(i)));
     Real3 onwards = mirroredOnwards(toViewer, facet);
     Real reach = max(mirrorFarthest - here, 0.0f) / max(dot(onwards, Real3(forward)), 0.02f);
     Real3 place = relative + onwards * reach;
@@ -110,10 +123,11 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   meets = choose(rightmost > mirrorLeast.x - 1.0f, meets, Real(0.0f));
   meets = choose(here < mirrorFarthest, meets, Real(0.0f));
   if (anyOf(meets > 0.0f)) {
-    for (int i = -1; i < 2; ++i) {
-      Real2 facet = slope + towards * (deviation * (1.4142136f * float(i)));
-      float weight = 0.25f;
-      if (i == 0) weight = 0.5f;
+    for (int i = -2; i < 3; ++i) {
+      Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
+      float weight = 0.0545f;
+      if (i == 0) weight = 0.403f;
+      if (i * i == 1) weight = 0.244f;
       Real shown = Real(0.0f);
       light = light + mirroredObjects(relative, mirroredOnwards(toViewer, facet), shown) * weight;
       part = part + shown * weight;
@@ -145,21 +159,9 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
   shown = choose(depth > 0.0f, shown, Real(0.0f));
   Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
   Real path = max(depth, 0.0f) / steep;
-  Real3 clear = Real3(exp(-waterExtinction.x * path), exp(-waterExtinction.y * path),
-                   exp(-waterExtinction.z * path));
-  Real3 lit = Real3(exp(-waterExtinction.x * max(depth, 0.0f)),
-                     exp(-waterExtinction.y * max(depth, 0.0f)),
-                     exp(-waterExtinction.z * max(depth, 0.0f)));
+  Real3 clear = leftInWater(path);
+  Real3 lit = leftInWater(max(depth, 0.0f));
   return water - water * clear * (part * shown) + light * clear * lit * shown;
-}
-
-// Unpolarised reflectance; 1 where all is reflected.
-SHADER Real fresnel(Real cosine, float index) {
-  Real sineSquared = (1.0f - cosine * cosine) / (index * index);
-  Real refracted = sqrt(max(1.0f - sineSquared, 0.0f));
-  Real a = (cosine - index * refracted) / (cosine + index * refracted);
-  Real b = (index * cosine - refracted) / (index * cosine + refracted);
-  return choose(sineSquared >= 1.0f, Real(1.0f), 0.5f * (a * a + b * b));
 }
 
 // Disc and glare about it. Angles are small where either shows: chord for arc.
@@ -170,8 +172,9 @@ SHADER Real3 sunDisc(Real3 direction) {
   if (anyOf(squared < 0.16f)) {
     Real angle = sqrt(squared);
     Real sharp = 1.0f - smoothstep(0.0052f, 0.0068f, angle);
+    if (moonIsOn) sharp = sharp * moonlit(off, squared);
     Real glare = 0.012f * exp(-22.0f * angle) + 0.10f * exp(-120.0f * angle);
-    disc = Real3(sunLight) * (6.0f * sharp + glare);
+    disc = Real3(sunLight) * (discLight * sharp + glare);
   }
   return disc;
 }
@@ -201,31 +204,6 @@ SHADER Real addRipples(Real3 relative, Real footprint, Real calm, INOUT(Real2) s
     left = left + deviation * deviation * max(1.0f - moments.z, 0.0f);
   }
   return left;
-}
-
-// Sun mirrored by facets of Gaussian slopes (Cox & Munk's picture): irradiance × Fresnel × density
-// of the slope that mirrors, over 4 cos⁴ of its tilt and the area the viewer sees.
-SHADER Real3 glitter(Real3 toViewer, Real2 slope, Real variance, Real rootCosine) {
-  Real3 halfway = toViewer + Real3(sunDirection);
-  halfway = halfway * inversesqrt(max(dot(halfway, halfway), 1e-12f));
-  Real tall = max(halfway.z, 1e-3f);
-  Real offX = -halfway.x / tall - slope.x;
-  Real offY = -halfway.y / tall - slope.y;
-  // The sun is half a degree wide; that alone spreads the slopes that mirror it.
-  Real spread = variance + 1.2e-5f;
-  Real exponent = -0.5f * (offX * offX + offY * offY) / spread;
-  Real3 mirrored = Real3(0.0f, 0.0f, 0.0f);
-  if (anyOf(exponent > -16.0f)) {
-    Real density = exp(max(exponent, -60.0f)) / (6.2831853f * spread);
-    Real deviation = sqrt(variance);
-    Real area = roughArea(rootCosine, deviation);
-    Real sunArea = roughArea(Real(rootSunHeight), deviation);
-    Real lit = min(max(sunDirection.z, 0.0f) / max(sunArea, 1e-3f), 1.0f);
-    Real cosine = max(dot(toViewer, halfway), 0.0f);
-    Real strength = lit * fresnel(cosine, 1.34f) * density / (4.0f * tall * tall * tall * tall * max(area, 0.02f));
-    mirrored = Real3(sunLight) * choose(halfway.z > 1e-3f, strength, Real(0.0f));
-  }
-  return mirrored;
 }
 
 // Light that comes back out of the water: thin crests let light through where the viewer looks at
@@ -285,14 +263,35 @@ SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
   return mix(cover, lace, kept);
 }
 
+// Adds to the waves' slope what is finer; returned is the mean-square slope that the pixel cannot
+// show. `rippled`: mean square of the ripples in the slope.
+SHADER Real seenSlope(Real3 relative, Real footprint, Real missingSlope, Real3 cover,
+                      INOUT(Real2) slope, INOUT(Real) rippled) {
+  // Smooth water lacks short waves, in slopes as in samples.
+  Real calm = (1.0f - 0.9f * cover.y) * (1.0f - 0.9f * cover.z);
+  Real meanSquare = (missingSlope + hairSlope) * calm * calm;
+  rippled = Real(0.0f);
+  if (ripplesAreOn) {
+    Real left = addRipples(relative, footprint, calm, slope);
+    meanSquare = meanSquare + left;
+    rippled = max(2.0f * rippleDeviation * rippleDeviation * calm * calm - left, 0.0f);
+  }
+  return meanSquare;
+}
+
+// Width of a pixel on the water.
+SHADER Real footprintOn(Real3 toViewer, Real distance, Real2 slope) {
+  Real upright = inversesqrt(1.0f + dot(slope, slope));
+  Real facing = upright * (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
+  return 1.4f * pixelAngle * distance * inversesqrt(max(facing, 0.02f));
+}
+
 // Part of a pixel of water that is white with foam, as waterRadiance mixes it in. `lying`: foam that
 // lies on the water, [0, 1].
 SHADER Real foamPart(Real3 relative, Real distance, Real2 slope, Real missingSlope, Real height,
                      Real lying) {
   Real3 toViewer = -relative / distance;
-  Real facing = inversesqrt(1.0f + dot(slope, slope)) *
-                (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
-  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(facing, 0.02f));
+  Real footprint = footprintOn(toViewer, distance, slope);
   Real white = whitecaps(slope, missingSlope, height);
   return foamOpacity(relative, footprint, white + lying * (1.0f - white));
 }
@@ -302,26 +301,17 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
                            Real height, Real3 cover) {
   Real3 toViewer = -relative / distance;
   Real2 slope = waveSlope;
-  Real upright = inversesqrt(1.0f + dot(slope, slope));
-  Real first = upright * (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
-  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(first, 0.02f));
-  // Smooth water lacks short waves, in slopes as in samples.
-  Real calm = (1.0f - 0.9f * cover.y) * (1.0f - 0.9f * cover.z);
-  Real meanSquare = (missingSlope + hairSlope) * calm * calm;
-  Real rippled = Real(0.0f);  // mean square of the ripples in the slope
-  if (ripplesAreOn) {
-    Real left = addRipples(relative, footprint, calm, slope);
-    meanSquare = meanSquare + left;
-    rippled = max(2.0f * rippleDeviation * rippleDeviation * calm * calm - left, 0.0f);
-  }
+  Real footprint = footprintOn(toViewer, distance, slope);
+  Real rippled = Real(0.0f);
+  Real meanSquare = seenSlope(relative, footprint, missingSlope, cover, slope, rippled);
   Real2 ripples = slope - waveSlope;
   if (rainIsOn) meanSquare = meanSquare + addRain(relative, footprint, slope);
   // Where the mean slope faces away, what is seen are facets that do not.
   Real2 towards = levelDirection(toViewer);
   Real facing = toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y;
   Real level = sqrt(max(1.0f - toViewer.z * toViewer.z, 0.01f));
-  slope = slope + towards * (min(facing, 0.0f) / level);
-  upright = inversesqrt(1.0f + dot(slope, slope));
+  if (backFacesAreTilted) slope = slope + towards * (min(facing, 0.0f) / level);
+  Real upright = inversesqrt(1.0f + dot(slope, slope));
   Real variance = 0.5f * meanSquare;  // along one axis
   Real cosine = max(max(facing, 0.0f) * upright, 0.0f);
   Real rootCosine = sqrt(cosine);
@@ -354,14 +344,26 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   Real3 fromBelow = upwelling(toViewer, slope, height, white, cover.z);
   if (belowIsOn) fromBelow = withObjectsBelow(relative, distance, toViewer, slope, fromBelow);
   Real3 colour = mix(fromBelow, sky, mirror);
-  if (sunIsOn) colour = colour + glitter(toViewer, slope, variance, rootCosine) * open;
+  if (sunIsOn) {
+    Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(rootSunHeight), slope,
+                                     variance, rootCosine);
+    colour = colour + Real3(sunLight) * (mirroredSun * open);
+  }
+  if (lampCount > 0) {
+    colour = colour + lampGlitter(relative, toViewer, slope, variance, rootCosine) * open;
+  }
   if (anyOf(white > 0.0f)) {
     Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
                upright;
-    colour = mix(colour, Real3(foamSky) + Real3(foamSun) * lit,
-                 foamOpacity(relative, footprint, white));
+    Real3 whiteWater = Real3(foamSky) + Real3(foamSun) * lit;
+    if (lampCount > 0) {
+      whiteWater = whiteWater + lampLightOn(relative, Real3(0.0f, 0.0f, 1.0f)) * 0.5f;
+    }
+    colour = mix(colour, whiteWater, foamOpacity(relative, footprint, white));
   }
-  return hazed(colour, -toViewer, distance);
+  colour = hazed(colour, -toViewer, distance);
+  if (lampCount > 0) colour = colour + lampsSeen(-toViewer, distance);
+  return colour;
 }
 
 // The surface from below: the sky through Snell's window, the deep around it.
@@ -379,7 +381,11 @@ SHADER Real3 undersideRadiance(Real3 relative, Real distance, Real2 slope) {
 
 SHADER Real3 skyPixel(Real3 direction) {
   Real3 seen = Real3(veil);
-  if (!cameraIsUnderWater) seen = skyRadianceSeen(direction);
+  if (!cameraIsUnderWater) {
+    seen = skyRadianceSeen(direction);
+    if (starLight > 0.0f) seen = seen + starsSeen(direction);
+    if (lampCount > 0) seen = seen + lampsSeen(direction, Real(1e9f));
+  }
   return seen;
 }
 
@@ -388,9 +394,13 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real3 ambient = blurredSky(upper * inversesqrt(max(dot(upper, upper), 1e-12f)), Real(7.0f));
   Real3 light = mix(Real3(0.06f * skyLight), ambient, 0.5f + 0.5f * normal.z) +
                 Real3(sunLight) * (max(dot(normal, Real3(sunDirection)), 0.0f) * 0.31830989f);
+  if (lampCount > 0) light = light + lampLightOn(relative, normal);
   Real3 colour = reflectance * light;
   if (cameraIsUnderWater) colour = throughWater(colour, distance);
-  if (!cameraIsUnderWater) colour = hazed(colour, relative / distance, distance);
+  if (!cameraIsUnderWater) {
+    colour = hazed(colour, relative / distance, distance);
+    if (lampCount > 0) colour = colour + lampsSeen(relative / distance, distance);
+  }
   return colour;
 }
 

@@ -9,6 +9,7 @@
 #include "render/band_limit.h"
 #include "render/render_technique.h"
 #include "render/ripples.h"
+#include "render/shading/night_constants.h"
 #include "render/shading/shading_tables.h"
 #include "render/shading/sky_dome.h"
 #include "render/software/screen_triangle.h"
@@ -36,7 +37,6 @@ constexpr glm::vec3 crestTransmission(0.020f, 0.110f, 0.095f);
 constexpr glm::vec3 foamReflectance(0.52f, 0.55f, 0.56f);        // of white water, not dense
 constexpr glm::vec3 bubbleReflectance(0.010f, 0.055f, 0.062f);
 constexpr glm::vec3 oilReflectance(0.010f, 0.008f, 0.006f);
-constexpr double visibility = 28e3;  // m, at 2 % contrast
 
 void setCamera(ShadingConstants& c, const Camera& camera) {
   c.forward = glm::vec3(camera.forward());
@@ -56,7 +56,6 @@ void setLight(ShadingConstants& c, const Lighting& lighting) {
   c.skyIsOn = lighting.sky != nullptr;
   c.sunDirection = sun;
   c.levelSun = glm::vec2(sun);
-  c.rootSunHeight = std::sqrt(std::max(sun.z, 0.0f));
   if (lighting.sunIsOn) c.sunLight = sunIrradiance(sun);
   c.skyLight = lighting.sky ? lighting.sky->mean() : plainSky;
   c.horizonOften = plainSky;
@@ -64,14 +63,29 @@ void setLight(ShadingConstants& c, const Lighting& lighting) {
     const HorizonLight light = horizonLight(sun);
     c.horizonRayleigh = light.rayleigh;
     c.horizonAerosol = light.aerosol;
-    c.horizonOften = light.often;
+    c.horizonOften = light.often + nightSky;
     c.aerosolShape = {1.0f + light.asymmetry * light.asymmetry, 2.0f * light.asymmetry};
+    c.horizonSide = light.side;
+    c.horizonArch = light.arch;
+    c.twilightIsOn = light.side.b > 0.0f;
   }
-  c.airExtinction = static_cast<float>(-std::log(0.02) / visibility);
+  if (lighting.moonPart > 0.0f) setMoon(c, lighting);
+  c.rootSunHeight = std::sqrt(std::max(c.sunDirection.z, 0.0f));
+  c.hazeIsOn = lighting.hazeIsOn;
   // Exposed for the light that falls on the scene, as a hand-held meter would; at night the eye
   // does not follow all the way.
-  const glm::vec3 light = c.skyLight + 0.25f * c.sunLight * std::max(sun.z, 0.0f) / floatPi;
-  c.exposure = 0.46f / (glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) + 0.02f);
+  const glm::vec3 light =
+      c.skyLight + 0.25f * c.sunLight * std::max(c.sunDirection.z, 0.0f) / floatPi;
+  c.exposure = 0.46f / (glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) + 0.005f);
+}
+
+void setTerms(ShadingConstants& c, const View& view) {
+  const ShadingTerms& terms = view.light.terms;
+  c.specular = static_cast<int>(terms.specular);
+  c.extinctionIsLinear = terms.extinction == Extinction::linear;
+  c.backFacesAreTilted = terms.backFaces == BackFaces::tilt;
+  // At the visibility 2 % of the contrast are left (Koschmieder).
+  c.airExtinction = static_cast<float>(-std::log(0.02) / view.light.visibility);
 }
 
 void setRipples(ShadingConstants& c, const View& view) {
@@ -168,10 +182,7 @@ void setRain(ShadingConstants& c, const View& view, const Rain& rain) {
 }  // namespace
 
 glm::vec3 sunDirectionOf(const View& view) {
-  const Light& light = view.light;
-  return glm::vec3(glm::dvec3(std::cos(light.sunElevation) * std::cos(light.sunDirection),
-                              std::cos(light.sunElevation) * std::sin(light.sunDirection),
-                              std::sin(light.sunElevation)));
+  return skyDirection(view.light.sunElevation, view.light.sunDirection);
 }
 
 ShadingConstants shadingConstants(const View& view, const Lighting& lighting) {
@@ -179,6 +190,9 @@ ShadingConstants shadingConstants(const View& view, const Lighting& lighting) {
   c.cameraIsUnderWater = lighting.cameraIsUnderWater;
   setCamera(c, view.camera);
   setLight(c, lighting);
+  setTerms(c, view);
+  if (lighting.lampsAreOn) setLamps(c, view);
+  setStars(c, lighting);
   setWater(c, view);
   if (lighting.waterIsOn) setRipples(c, view);
   if (lighting.foamIsOn) setFoam(c, view);

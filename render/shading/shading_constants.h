@@ -6,6 +6,8 @@
 
 namespace seaway::render {
 
+struct Lamp;
+struct Moon;
 struct View;
 class SkyDome;
 
@@ -32,8 +34,28 @@ struct ShadingConstants {
   glm::vec2 levelSun{0.0f};    ///< horizontal part of sunDirection
   glm::vec3 horizonRayleigh{0.0f}, horizonAerosol{0.0f}, horizonOften{0.0f};
   glm::vec2 aerosolShape{1.0f, 0.0f};  ///< 1 + g², 2g
-  float airExtinction = 0.0f;          ///< 1/m
+  bool hazeIsOn = false;
+  float airExtinction = 0.0f;  ///< 1/m
   float exposure = 1.0f;
+  // dusk and night: by night the moon's light stands in sunDirection and sunLight
+  bool twilightIsOn = false;
+  glm::vec3 horizonSide{0.0f}, horizonArch{0.0f};  ///< of the twilight, by azimuth from the sun
+  bool moonIsOn = false;
+  glm::vec2 levelMoon{0.0f};  ///< horizontal part of the moon's direction
+  glm::vec3 moonRayleigh{0.0f}, moonAerosol{0.0f};  ///< as horizonRayleigh, horizonAerosol
+  glm::vec3 discAxis{0.0f};  ///< across the moon's disc to its lit limb, unit
+  float discEdge = -1.0f;    ///< terminator: −1 full, 1 new
+  float discLight = 6.0f;    ///< radiance of the sun's or the moon's disc over its irradiance
+  float starLight = 0.0f;    ///< irradiance by a star of magnitude 0; 0: none are seen
+  static constexpr int mostLamps = 16;
+  int lampCount = 0;
+  glm::vec3 lampPlace[mostLamps]{};  ///< from the camera, m
+  glm::vec3 lampLight[mostLamps]{};  ///< radiant intensity
+  float lampWidth[mostLamps]{};      ///< variance of its picture's angle, rad²
+  float lampShines[mostLamps]{};     ///< 1: on things too; 0: not
+  // rival terms
+  int specular = 0;  ///< Specular
+  bool extinctionIsLinear = false, backFacesAreTilted = true;
   // water
   glm::vec3 waterExtinction{0.0f};  ///< 1/m
   glm::vec3 deepWater{0.0f};        ///< radiance that comes up from deep water
@@ -44,7 +66,7 @@ struct ShadingConstants {
   bool mirrorIsOn = false, belowIsOn = false;
   glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
-  static constexpr int mirrorSteps = 6;
+  int mirrorSteps = 6;
   float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer
@@ -88,11 +110,23 @@ struct Lighting {
   const SkyDome* sky = nullptr;  ///< null: the sky is switched off, a plain grey stands for it
   bool waterIsOn = false;
   bool cameraIsUnderWater = false;
+  bool hazeIsOn = false;
+  glm::vec3 moonDirection{0.0f, 0.0f, 1.0f};
+  float moonEdge = -1.0f;  ///< ShadingConstants::discEdge
+  float moonPart = 0.0f;  ///< its irradiance over the sun's; 0: no moon lights the scene
+  bool lampsAreOn = false;
 };
 
 ShadingConstants shadingConstants(const View& view, const Lighting& lighting);
 
 /// Unit vector from the camera to the sun.
 glm::vec3 sunDirectionOf(const View& view);
+/// Likewise to a moon.
+glm::vec3 directionOf(const Moon& moon);
+
+/// Part of a lamp's light that a viewer at `eye` sees, [0, 1]: all within its arc, falling to none
+/// over the 3° beyond its edges that the collision regulations allow (COLREG, Annex I, 9), and from
+/// 25° to 40° above and below its plane. Lamps with an arc all round shine up and down too.
+double shownPart(const Lamp& lamp, glm::dvec3 eye);
 
 }  // namespace seaway::render

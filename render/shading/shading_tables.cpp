@@ -28,19 +28,35 @@ void addFresnel(ShadingTables& tables) {
   }
 }
 
+/// Mean square of what bilinear filtering shows between a tile's texels: for each axis a third of
+/// both ends' and of their product, halved.
+double filteredSquare(const std::vector<glm::vec3>& image, int side) {
+  const auto at = [&](int x, int y) {
+    return glm::dvec2(image[static_cast<std::size_t>(y % side) * side + x % side]);
+  };
+  double sum = 0.0;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec2 a = at(x, y), b = at(x + 1, y), c = at(x, y + 1), d = at(x + 1, y + 1);
+      // Weights' means: 1/9 of a square, 2 · 1/18 of a side, 2 · 1/36 of a diagonal.
+      sum += (glm::dot(a, a) + glm::dot(b, b) + glm::dot(c, c) + glm::dot(d, d)) / 9.0 +
+             (glm::dot(a, b) + glm::dot(c, d) + glm::dot(a, c) + glm::dot(b, d)) / 9.0 +
+             (glm::dot(a, d) + glm::dot(b, c)) / 18.0;
+    }
+  }
+  return sum / (static_cast<double>(side) * side);
+}
+
 void addRipples(ShadingTables& tables) {
   constexpr float span = ShadingTables::rippleSpan;
   std::vector<glm::vec3> image = rippleTexture(ShadingTables::rippleSide);
   int side = ShadingTables::rippleSide;
   for (int level = 0; level < ShadingTables::rippleLevels; ++level, side /= 2) {
     const float kept = level + 1 < ShadingTables::rippleLevels ? 1.0f : 0.0f;
-    double squares = 0.0;
     for (const glm::vec3& moments : image) {
-      const glm::vec2 slope = kept * glm::vec2(moments);
-      squares += glm::dot(slope, slope);
-      tables.ripples.push_back(glm::packSnorm2x16(slope / span));
+      tables.ripples.push_back(glm::packSnorm2x16(kept * glm::vec2(moments) / span));
     }
-    tables.rippleKept[level] = static_cast<float>(squares / static_cast<double>(image.size()));
+    tables.rippleKept[level] = kept * static_cast<float>(filteredSquare(image, side));
     std::vector<glm::vec3> half;
     for (int y = 0; y < side; y += 2) {
       for (int x = 0; x < side; x += 2) {

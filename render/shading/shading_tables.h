@@ -23,7 +23,7 @@ struct ShadingTables {
   /// the high ones, signed, in steps of rippleSpan/32767.
   std::vector<std::uint32_t> ripples;
   static constexpr float rippleSpan = 5.0f;
-  /// Mean-square slope that is left in each level; level 0 has 1, the last none.
+  /// Mean-square slope that bilinear filtering leaves of each level, of 1 before it; the last none.
   float rippleKept[rippleLevels] = {};
 
   std::size_t memoryBytes() const;

@@ -33,12 +33,12 @@ glm::vec3 rounded(glm::vec3 direction) {
 
 }  // namespace
 
-void SkyDome::drawFor(glm::vec3 sunDirection) {
-  const glm::vec3 sun = rounded(sunDirection);
-  if (version_ > 0 && sun == drawnFor_) return;
+void SkyDome::drawFor(const SkyLights& wanted) {
+  const SkyLights lights{rounded(wanted.sun), rounded(wanted.moon), wanted.moonPart};
+  if (version_ > 0 && lights == drawnFor_) return;
   Image image(static_cast<std::size_t>(side) * side);
   tbb::parallel_for(0, side, [&](int row) {
-    drawSkyRow(sun, row, side, &image[static_cast<std::size_t>(row) * side].x);
+    drawSkyRow(lights, row, side, &image[static_cast<std::size_t>(row) * side].x);
   });
   texels_.clear();
   for (int size = side; size >= 1; size /= 2) {
@@ -53,7 +53,7 @@ void SkyDome::drawFor(glm::vec3 sunDirection) {
     if (size == 1) mean_ = image.front();
     if (size > 1) image = halved(image, size);
   }
-  drawnFor_ = sun;
+  drawnFor_ = lights;
   ++version_;
 }
 

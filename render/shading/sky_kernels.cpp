@@ -17,7 +17,10 @@ constexpr float asymmetry = 0.76f;  // of the aerosol's phase function
 constexpr glm::vec3 solar(20.0f, 19.6f, 18.6f);
 // Zenith optical depths at 650, 550, 440 nm.
 constexpr glm::vec3 rayleigh(0.046f, 0.108f, 0.262f), aerosol(0.050f, 0.055f, 0.060f);
-constexpr glm::vec3 nightSky(0.6e-3f, 1.0e-3f, 1.8e-3f);
+// Twilight: the blue of high air by ozone, greyer through the haze of the horizon, and the warm
+// arch where the sun went down.
+constexpr glm::vec3 twilightBlue(0.040f, 0.098f, 0.225f), twilightGrey(0.085f, 0.105f, 0.135f),
+    twilightArch(0.66f, 0.31f, 0.095f);
 
 /// Path through the air in zenith paths; 33 at the horizon.
 HWY_INLINE Real airMass(Real sineOfElevation) {
@@ -32,6 +35,31 @@ HWY_INLINE Real3 sunlight(Real3 sun) {
 
 /// What is left of scattered light after sunset.
 HWY_INLINE Real daylight(Real3 sun) { return exp(Real(30.0f) * min(sun.z + 0.01f, 0.0f)); }
+
+/// Part of the sky that is twilight's: once the sun's rays no longer reach the air below, single
+/// scattering in a plane layer says nothing.
+HWY_INLINE Real duskPart(Real3 sun) { return Real(1.0f) - smoothstep(-0.09f, 0.11f, sun.z); }
+/// The arch fades before the blue does.
+HWY_INLINE Real archPart(Real3 sun) { return exp(Real(7.0f) * min(sun.z, 0.0f)); }
+
+/// Horizontal unit vector, shorter towards the vertical: levelDirection of sea_shading.glsl.h.
+HWY_INLINE Real2 levelled(Real3 direction) {
+  const Real2 level(direction.x, direction.y);
+  return level * inversesqrt(max(dot(level, level), Real(0.04f) * dot(direction, direction)));
+}
+
+HWY_INLINE Real3 twilight(Real3 direction, Real3 sun) {
+  const Real up = max(direction.z, 0.0f);
+  const Real side = Real(0.5f) + Real(0.5f) * dot(levelled(direction), Real2(sun.x, sun.y));
+  const Real strength = duskPart(sun) * daylight(sun);
+  const Real blue = (Real(0.30f) + Real(0.70f) * exp(Real(-2.2f) * up)) *
+                    (Real(0.5f) + Real(0.5f) * side) * strength;
+  const Real arch = side * side * side * archPart(sun) * strength;
+  // Orange below, yellow and then pale above: red falls off first.
+  const Real3 fall(exp(Real(-9.5f) * up), exp(Real(-7.0f) * up), exp(Real(-5.0f) * up));
+  const Real3 dome = mix(Real3(twilightBlue), Real3(twilightGrey), exp(Real(-9.0f) * up));
+  return dome * blue + Real3(twilightArch) * fall * arch;
+}
 
 /// Radiance at an elevation but for the phase functions: weights of the two, and what has none.
 struct Scattered {
@@ -49,14 +77,14 @@ HWY_INLINE Scattered scattered(Real sineOfElevation, Real3 sun) {
     return choose(small, 1.0f, (Real(1.0f) - exp(-safe)) / safe);
   };
   const Real3 shape(stable(x.x), stable(x.y), stable(x.z));
-  const Real3 once = Real3(solar) * exp(-depth * lit) * shape * (seen * daylight(sun));
+  const Real day = daylight(sun) * (Real(1.0f) - duskPart(sun));
+  const Real3 once = Real3(solar) * exp(-depth * lit) * shape * (seen * day);
   const Real3 one(1.0f, 1.0f, 1.0f);
   const Real3 often = Real3(solar) * Real(0.055f) *
                       (one - exp(-Real3(rayleigh + 0.6f * aerosol) * seen)) *
-                      exp(-depth * (Real(0.14f) * lit)) * daylight(sun);
+                      exp(-depth * (Real(0.14f) * lit)) * day;
   return {once * Real3(rayleigh * (3.0f / (16.0f * pi))),
-          once * Real3(aerosol * (0.65f * (1.0f - asymmetry * asymmetry) / (4.0f * pi))),
-          often + Real3(nightSky)};
+          once * Real3(aerosol * (0.65f * (1.0f - asymmetry * asymmetry) / (4.0f * pi))), often};
 }
 
 HWY_INLINE Real3 clearSky(Real3 direction, Real3 sun) {
@@ -65,7 +93,7 @@ HWY_INLINE Real3 clearSky(Real3 direction, Real3 sun) {
   const Real base =
       max(Real(1.0f + asymmetry * asymmetry) - Real(2.0f * asymmetry) * cosine, 1e-3f);
   return parts.often + parts.rayleighWeight * (Real(1.0f) + cosine * cosine) +
-         parts.aerosolWeight * (Real(1.0f) / (base * sqrt(base)));
+         parts.aerosolWeight * (Real(1.0f) / (base * sqrt(base))) + twilight(direction, sun);
 }
 
 HWY_INLINE Real scrambled(VI x, VI y) {
@@ -89,9 +117,7 @@ HWY_INLINE Real valueNoise(Real2 p) {
 }
 
 HWY_INLINE Real clouds(Real2 p) {
-  const auto shifted = [&](float by) {
-    return valueNoise({p.x * 0.7f + by, p.y * 0.7f + by});
-  };
+  const auto shifted = [&](float by) { return valueNoise({p.x * 0.7f + by, p.y * 0.7f + by}); };
   p = p + Real2(shifted(11.0f), shifted(-5.0f)) * 0.35f;
   Real sum = 0.0f;
   float amplitude = 0.5f;
@@ -121,7 +147,7 @@ HWY_INLINE Real3 skyWithClouds(Real3 direction, Real3 sun) {
   return mix(clear, lit, cover);
 }
 
-void SkyRow(glm::vec3 sunDirection, int row, int side, float* rgb) {
+void SkyRow(const SkyLights& lights, int row, int side, float* rgb) {
   const Floats f;
   const std::size_t lanes = hn::Lanes(f);
   const Real y = 2.0f * (row + 0.5f) / side - 1.0f;
@@ -130,9 +156,12 @@ void SkyRow(glm::vec3 sunDirection, int row, int side, float* rgb) {
     const Real squared = x * x + y * y, s = min(squared, 1.0f);
     const Real inside = inversesqrt(max(squared, 1.0f));
     const Real scale = Real(2.0f) / (Real(1.0f) + s);
-    const Real3 colour = skyWithClouds(
-        {x * inside * scale, y * inside * scale, (Real(1.0f) - s) / (Real(1.0f) + s)},
-        Real3(sunDirection));
+    const Real3 direction(x * inside * scale, y * inside * scale,
+                          (Real(1.0f) - s) / (Real(1.0f) + s));
+    Real3 colour = skyWithClouds(direction, Real3(lights.sun)) + Real3(nightSky);
+    if (lights.moonPart > 0.0f) {
+      colour = colour + skyWithClouds(direction, Real3(lights.moon)) * Real(lights.moonPart);
+    }
     hn::StoreInterleaved3(colour.x.v, colour.y.v, colour.z.v, f, rgb + 3 * first);
   }
 }
@@ -143,9 +172,18 @@ glm::vec3 firstLane(Real3 value) {
 
 glm::vec3 SunIrradiance(glm::vec3 sun) { return firstLane(sunlight(Real3(sun))); }
 
-HorizonLight Horizon(glm::vec3 sun) {
-  const Scattered parts = scattered(0.0f, Real3(sun));
-  return {firstLane(parts.rayleighWeight), firstLane(parts.aerosolWeight), firstLane(parts.often),
+HorizonLight Horizon(glm::vec3 direction) {
+  const Real3 sun(direction);
+  const Scattered parts = scattered(0.0f, sun);
+  const glm::vec3 grey =
+      0.5f * twilightGrey * firstLane(Real3(glm::vec3(1.0f)) * duskPart(sun) * daylight(sun));
+  const glm::vec3 arch = twilightArch * firstLane(Real3(glm::vec3(1.0f)) * duskPart(sun) *
+                                                  daylight(sun) * archPart(sun));
+  return {firstLane(parts.rayleighWeight),
+          firstLane(parts.aerosolWeight),
+          firstLane(parts.often) + grey,
+          grey,
+          arch,
           asymmetry};
 }
 
@@ -161,8 +199,8 @@ HWY_EXPORT(SkyRow);
 HWY_EXPORT(SunIrradiance);
 HWY_EXPORT(Horizon);
 
-void drawSkyRow(glm::vec3 sunDirection, int row, int side, float* rgb) {
-  HWY_DYNAMIC_DISPATCH(SkyRow)(sunDirection, row, side, rgb);
+void drawSkyRow(const SkyLights& lights, int row, int side, float* rgb) {
+  HWY_DYNAMIC_DISPATCH(SkyRow)(lights, row, side, rgb);
 }
 glm::vec3 sunIrradiance(glm::vec3 sunDirection) {
   return HWY_DYNAMIC_DISPATCH(SunIrradiance)(sunDirection);

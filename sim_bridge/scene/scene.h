@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "render/render_technique.h"
 #include "sim_bridge/scene/place.h"
 #include "sim_bridge/scene/scene_events.h"
 #include "sim_bridge/scene/sea_state_file.h"
@@ -148,9 +149,28 @@ struct Wind {
   std::optional<double> from_deg;  ///< else it pushes no hull
 };
 
+struct SceneMoon {
+  double elevation_deg = 30.0;
+  double azimuth_deg = 180.0;
+  double phase = 0.5;  ///< 0 new, 0.5 full, 1 new again
+};
+
 struct LightSettings {
   Sun sun;
+  std::optional<SceneMoon> moon;
   Wind wind;
+  double turbidity = 0.045;   ///< of the water, 1/m
+  double visibility = 28e3;   ///< of the air, m
+  render::ShadingTerms shading;
+};
+
+/// A lamp that stands in the scene.
+struct SceneLamp {
+  std::string name;
+  Place place;
+  double height = 5.0;         ///< m above the still-water level
+  glm::vec3 colour{1.0f, 0.85f, 0.6f};  ///< linear
+  double candela = 100.0;
 };
 
 /// Windows of the water in which vessels' waves run.
@@ -184,6 +204,7 @@ struct Scene {
   std::vector<SceneRipples> ripples;
   std::vector<SceneLayer> layers;
   LightSettings light;
+  std::vector<SceneLamp> lamps;
   EffectSettings effects{};
   Accuracy accuracy;
   RunSettings run;

@@ -1,3 +1,4 @@
+#include "sim_bridge/scene/light_schema.h"
 #include "sim_bridge/scene/scene_camera_schema.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/schema_fields.h"
@@ -66,25 +67,6 @@ Mapping<SceneVessel> vesselSchema() {
              "rate of turn, positive to starboard"),
       list("waypoints", &V::waypoints, placeSchema(),
            "where a free vessel, and any under `seaway sail`, steers by its rudder"),
-  });
-}
-
-Mapping<LightSettings> lightSchema() {
-  const Mapping<Sun> sun({
-      number("elevation_deg", &Sun::elevation_deg, "°", Range::within(-90.0, 90.0),
-             "above the horizon"),
-      number("azimuth_deg", &Sun::azimuth_deg, "°", compass, "compass direction it stands in"),
-  });
-  const Mapping<Wind> wind({
-      number("speed_m_s", &Wind::speed, "m/s", Range::within(0.0, 80.0),
-             "at 12.5 m: roughness below the shortest waves of the field"),
-      number("from_deg", &Wind::from_deg, "°", compass,
-             "compass direction it blows from: pushes free hulls; without it none is pushed"),
-  });
-  return Mapping<LightSettings>({
-      mapping("sun", &LightSettings::sun, sun, "the sun"),
-      mapping("wind", &LightSettings::wind, wind,
-              "the wind, as pictures show it and free hulls feel it"),
   });
 }
 
@@ -162,7 +144,8 @@ const Mapping<Scene>& sceneSchema() {
       mapping("rain", &Scene::rain, rainSchema(), "rings of raindrops; without it none falls"),
       list("ripples", &Scene::ripples, ripplesSchema(placeSchema()), "what bobs in the water"),
       list("layers", &Scene::layers, layerSchema(placeSchema()), "what lies on the water"),
-      mapping("light", &Scene::light, lightSchema(), "sun and wind"),
+      mapping("light", &Scene::light, lightSchema(), "sun, moon, wind, air and how water is lit"),
+      list("lights", &Scene::lamps, lampSchema(placeSchema()), "lamps: shown when it is dusk or dark"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),
       mapping("run", &Scene::run, runSchema(), "defaults of `seaway run`"),

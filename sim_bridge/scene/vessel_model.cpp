@@ -1,5 +1,6 @@
 #include "sim_bridge/scene/vessel_model.h"
 
+#include "sim_bridge/scene/light_schema.h"
 #include "sim_bridge/scene/schema_fields.h"
 
 namespace seaway::bridge {
@@ -88,6 +89,7 @@ const Mapping<VesselModel>& vesselModelSchema() {
               "the closed hull that loads on a free vessel are taken on"),
       mapping("propeller", &VesselModel::propeller, propellerSchema(), "of a free vessel"),
       mapping("rudder", &VesselModel::rudder, rudderSchema(), "of a free vessel"),
+      mapping("lights", &VesselModel::lights, vesselLightsSchema(), "navigation lights"),
       mapping("wake", &VesselModel::wake, wakeSchema(), "the waves it makes under way"),
   });
   return schema;

@@ -37,6 +37,15 @@ struct VesselWake {
   bool feltByItself = false;  ///< else its hull does not ride its own waves
 };
 
+/// Which navigation lights a vessel shows from sunset to sunrise.
+enum class LightsShown { automatic, underWay, atAnchor, none };
+
+/// Places in the body frame, m; at the origin: by the hull's size.
+struct VesselLights {
+  LightsShown shown = LightsShown::automatic;
+  glm::dvec3 masthead{0.0}, sidelight{0.0}, stern{0.0};  ///< sidelight: the port one
+};
+
 /// A vessel file (`configs/vessels/*.yaml`).
 struct VesselModel {
   std::string description;
@@ -46,6 +55,7 @@ struct VesselModel {
   Propeller propeller;  ///< diameter 0: none
   Rudder rudder;        ///< area 0: none
   VesselWake wake;
+  VesselLights lights;
 };
 
 /// Keys of a vessel file.
