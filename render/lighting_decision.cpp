@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "render/scene_object.h"
 #include "render/shading/shading_tables.h"
 #include "surface/whitecaps.h"
 
@@ -82,15 +81,6 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
     lighting.sky = &*sky;
   }
   return lighting;
-}
-
-bool decideObjects(const View& view) {
-  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
-                                     [&](const auto& o) { return inView(o, view.camera); });
-  return view.effects->decide(
-             Effect::vesselMeshes, anyInView,
-             anyInView ? "a vessel is in the camera's view" : "no vessel in view") &&
-         anyInView;
 }
 
 glm::dmat4 reversedClipFromRelativeWorld(const Camera& camera) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim_bridge/output/progress.h"
+#include "sim_bridge/scenery_objects.h"
 #include "sim_bridge/vessel/vessel_mesh.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
@@ -43,6 +44,15 @@ void placeFixed(render::Camera& camera, const SceneCamera& description, const Ge
 SceneView::SceneView(const Scene& scene) : scene_(&scene) {
   meshes_.reserve(scene.vessels.size());
   for (const SceneVessel& vessel : scene.vessels) meshes_.push_back(vesselMesh(vessel.model));
+  scenery_.reserve(scene.scenery.size());
+  for (const SceneryObject& object : scene.scenery) scenery_.push_back(sceneryMesh(object));
+}
+
+void SceneView::addScenery(const SceneMoment& moment) {
+  for (std::size_t i = 0; i < scenery_.size(); ++i) {
+    objects_.push_back(placedScenery(scene_->scenery[i], scenery_[i], *moment.geodesy,
+                                     *moment.water, moment.time));
+  }
 }
 
 render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
@@ -85,6 +95,7 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
                         glm::dvec3(placed.pose.position, placed.pose.height),
                         placed.pose.worldFromBody()});
   }
+  addScenery(moment);
   view.objects = objects_;
   view.effects = &ledger;
   return view;

@@ -27,7 +27,8 @@ struct SceneMoment {
 render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
                             const SceneMoment& moment, glm::ivec2 size);
 
-/// What pictures of a scene need beside the simulation: the vessels' meshes, made once.
+/// What pictures of a scene need beside the simulation: the meshes of vessels and scenery, made
+/// once.
 class SceneView {
  public:
   /// `scene` must outlive this object.
@@ -42,8 +43,11 @@ class SceneView {
                     EffectLedger& ledger);
 
  private:
+  void addScenery(const SceneMoment& moment);
+
   const Scene* scene_;
-  std::vector<render::Mesh> meshes_;
+  std::vector<render::Mesh> meshes_;   // of vessels
+  std::vector<render::Mesh> scenery_;  // of each thing of the scenery
   std::vector<PlacedVessel> vessels_;
   std::vector<render::SceneObject> objects_;
 };

@@ -3,8 +3,9 @@
 namespace seaway::render {
 
 ComputeShading::ComputeShading()
-    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h",
-                                   "sea_shading.glsl.h", "shade.comp"})) {}
+    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h", "waterline.glsl.h",
+                                   "shadows.glsl.h", "sea_shading.glsl.h", "under_water.glsl.h",
+                                   "shade.comp"})) {}
 
 void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   setShadingConstants(program_, input.constants);
@@ -13,6 +14,7 @@ void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   program_.setTexture("albedoMap", 2, targets.albedo);
   program_.setTexture("distanceMap", 3, targets.distance);
   if (input.waterIsOn) setWaterTextures(program_, textures_, input);
+  setSceneTextures(program_, textures_, input, true);
   glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   glUseProgram(program_);
   glDispatchCompute(static_cast<GLuint>((targets.size.x + 15) / 16),
