@@ -109,6 +109,9 @@ void setWater(ShadingConstants& c, const View& view) {
   c.eyeVeil = c.veil * glm::exp(-c.waterExtinction * std::max(c.stillWater, 0.0f));
   const glm::vec2 level = glm::vec2(c.sunDirection) / static_cast<float>(seaWaterIndex);
   c.sunInWater = {level, std::sqrt(1.0f - glm::dot(level, level))};
+  // An eye that is under water all the same gets used to what is left there, not all the way.
+  const float depth = c.cameraIsUnderWater ? std::max(c.stillWater, 0.0f) : 0.0f;
+  c.exposure *= 2.5f - 1.5f * std::exp(-0.5f * depth);
   c.bubbleLight = bubbleReflectance * onSea;
   c.oilLight = oilReflectance * onSea;
   const double crestHeight = 0.5 * view.water->waves().significantWaveHeight();

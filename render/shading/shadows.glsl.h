@@ -6,6 +6,12 @@ SHADER Real3 straightened(Real3 place) {
   return place + Real3(shadowBend) * depthUnderStillWater(place);
 }
 
+// Quadratic B-spline; the weights of three neighbours add up to 1.
+SHADER Real splineWeight(Real off) {
+  Real outer = max(1.5f - off, 0.0f);
+  return choose(off < 0.5f, 0.75f - off * off, 0.5f * outer * outer);
+}
+
 // Three by three texels about a place of map `i`, weighted by a quadratic spline; `height` is the
 // place's own towards the sun.
 SHADER Real litInMap(int i, Real2 at, Real height) {
@@ -14,13 +20,9 @@ SHADER Real litInMap(int i, Real2 at, Real height) {
   Real lit = Real(0.0f);
   for (int k = -1; k < 2; ++k) {
     for (int j = -1; j < 2; ++j) {
-      Real nearX = max(1.0f - abs(x - float(j)), 0.0f), nearY = max(1.0f - abs(y - float(k)), 0.0f);
-      Real weightX = choose(abs(x - float(j)) < 0.5f, 0.75f - (x - float(j)) * (x - float(j)),
-                            0.5f * (nearX + 0.5f) * (nearX + 0.5f));
-      Real weightY = choose(abs(y - float(k)) < 0.5f, 0.75f - (y - float(k)) * (y - float(k)),
-                            0.5f * (nearY + 0.5f) * (nearY + 0.5f));
+      Real weight = splineWeight(abs(x - float(j))) * splineWeight(abs(y - float(k)));
       Real top = shadowHeight(column + float(j), row + float(k) + shadowRow[i]);
-      lit = lit + choose(top > height, Real(0.0f), weightX * weightY);
+      lit = lit + choose(top > height, Real(0.0f), weight);
     }
   }
   return lit;

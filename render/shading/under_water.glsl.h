@@ -1,47 +1,71 @@
 // The water from inside: the same rules as sea_shading.glsl.h, which comes before this text.
 // Surroundings provide of LocalLight's pictures windowLight, depthsNearness and depthsLight.
 
-// What a facet of that slope lets through from above (Snell's window) and mirrors from below.
-SHADER Real3 undersideFacet(Real3 relative, Real3 direction, Real2 slope, Real blur) {
-  Real upright = inversesqrt(1.0f + dot(slope, slope));
-  Real3 normal = Real3(slope.x, slope.y, Real(-1.0f)) * upright;  // downwards
-  Real cosine = max(-dot(normal, direction), 0.0f);
-  Real inside = 1.0f - 1.34f * 1.34f * (1.0f - cosine * cosine);
-  Real3 above = Real3(0.0f, 0.0f, 0.0f);
-  if (anyOf(inside > 0.0f)) {
-    Real3 refracted = direction * 1.34f + normal * (1.34f * cosine - sqrt(max(inside, 0.0f)));
-    above = blurredSky(refracted, blur) + 0.15f * sunDisc(refracted);
-    if (windowIsOn) {
-      // Seen where still water would show what lies in that direction.
-      Real2 level = Real2(refracted.x, refracted.y) * (1.0f / 1.34f);
-      Real3 seen = Real3(level.x, level.y, sqrt(max(1.0f - dot(level, level), 0.0f)));
-      Real axial = dot(seen, Real3(forward));
-      Real part = Real(0.0f);
-      Real3 light = windowLight(pixelOf(seen, max(axial, 1e-3f)), part);
-      Real shown = choose(axial > 1e-3f, Real(1.0f), Real(0.0f));
-      above = above * (1.0f - part * shown) + light * shown;
-    }
+// Unit normal, downwards, of water with a slope.
+SHADER Real3 undersideNormal(Real2 slope) {
+  return Real3(slope.x, slope.y, Real(-1.0f)) * inversesqrt(1.0f + dot(slope, slope));
+}
+
+// What a facet mirrors from below, averaged over those within the deviation of slope along the view.
+SHADER Real undersideMirror(Real3 direction, Real2 slope, Real2 deviation) {
+  Real mirror = Real(0.0f);
+  for (int i = -3; i < 4; ++i) {
+    float weight = 0.3205f;
+    if (i * i == 1) weight = 0.2327f;
+    if (i * i == 4) weight = 0.0891f;
+    if (i * i == 9) weight = 0.01795f;
+    Real3 normal = undersideNormal(slope + deviation * (0.8f * float(i)));
+    mirror = mirror + fresnel(max(-dot(normal, direction), 0.0f), 1.0f / 1.34f) * weight;
   }
-  Real3 onwards = direction + normal * (2.0f * cosine);
+  return mirror;
+}
+
+// Direction of the ray in air, along the surface where there is none.
+SHADER Real3 refractedUpwards(Real3 direction, Real3 normal) {
+  Real cosine = max(-dot(normal, direction), 0.0f);
+  Real inside = max(1.0f - 1.34f * 1.34f * (1.0f - cosine * cosine), 0.0f);
+  Real3 ray = direction * 1.34f + normal * (1.34f * cosine - sqrt(inside));
+  return ray * inversesqrt(max(dot(ray, ray), 1e-12f));
+}
+
+// Snell's window: sky, and scene objects where still water would show what lies in that direction.
+SHADER Real3 throughWindow(Real3 direction, Real2 slope, Real2 calmer, Real blur) {
+  Real3 ray = refractedUpwards(direction, undersideNormal(slope));
+  Real3 above = blurredSky(ray, blur) + 0.15f * sunDisc(ray);
+  if (windowIsOn) {
+    Real3 there = refractedUpwards(direction, undersideNormal(calmer));
+    Real2 level = Real2(there.x, there.y) * (1.0f / 1.34f);
+    Real3 seen = Real3(level.x, level.y, sqrt(max(1.0f - dot(level, level), 0.0f)));
+    Real axial = dot(seen, Real3(forward));
+    Real part = Real(0.0f);
+    Real3 light = windowLight(pixelOf(seen, max(axial, 1e-3f)), part);
+    Real shown = choose(axial > 1e-3f, Real(1.0f), Real(0.0f));
+    above = above * (1.0f - part * shown) + light * shown;
+  }
+  return above;
+}
+
+// What is below, mirrored: objects of the scene in front of the water's own light.
+SHADER Real3 mirroredDepths(Real3 relative, Real3 direction, Real2 slope) {
+  Real3 normal = undersideNormal(slope);
+  Real3 onwards = direction + normal * (2.0f * max(-dot(normal, direction), 0.0f));
   onwards = Real3(onwards.x, onwards.y, -abs(onwards.z));
   Real3 below = waterLight(onwards);
   if (depthsAreOn) {
     // In the mirrored world the ray goes on upwards; as far as what the pixel itself shows there.
-    Real axial = dot(relative, Real3(forward));
-    Real perAxial = sqrt(dot(relative, relative)) / max(axial, 1e-3f);
-    Real nearness = depthsNearness(pixelOf(relative, max(axial, 1e-3f)));
+    Real axial = max(dot(relative, Real3(forward)), 1e-3f);
+    Real perAxial = sqrt(dot(relative, relative)) / axial;
+    Real nearness = depthsNearness(pixelOf(relative, axial));
     Real beyond = choose(nearness > 0.0f, 1.0f / max(nearness, 1e-6f) - axial, Real(2.0f));
     beyond = max(beyond, 0.0f) * perAxial;
     Real3 place = relative + Real3(onwards.x, onwards.y, -onwards.z) * beyond;
-    Real placeAxial = max(dot(place, Real3(forward)), 1e-3f);
     Real part = Real(0.0f);
-    Real3 light = depthsLight(pixelOf(place, placeAxial), part);
+    Real3 light = depthsLight(pixelOf(place, max(dot(place, Real3(forward)), 1e-3f)), part);
     Real3 clear = Real3(exp(-waterExtinction.x * beyond), exp(-waterExtinction.y * beyond),
                         exp(-waterExtinction.z * beyond));
     below = below - below * clear * part + light * clear;
   }
-  Real mirror = choose(inside > 0.0f, fresnel(cosine, 1.0f / 1.34f), Real(1.0f));
-  return mix(above, below, mirror);
+  return below;
 }
 
 // The surface from below: what is above through Snell's window, around it what is below, mirrored.
@@ -54,16 +78,13 @@ SHADER Real3 undersideRadiance(Real3 relative, Real distance, Real2 waveSlope, R
     meanSquare = meanSquare + addRipples(relative, footprint, Real(1.0f), slope);
   }
   Real deviation = sqrt(0.5f * meanSquare);
-  Real blur = blurLevel(deviation * 0.5f);
+  // A part of the ripples for objects: edges would break up into dots.
+  Real2 calmer = waveSlope + (slope - waveSlope) * 0.4f;
+  Real mirror = undersideMirror(direction, slope, levelDirection(direction) * deviation);
   Real3 seen = Real3(0.0f, 0.0f, 0.0f);
-  // Three facets along and across the view for all that are within the deviation.
-  Real2 towards = levelDirection(direction) * (1.4142136f * deviation);
-  if (anyOf(deviation > 0.002f)) {
-    seen = undersideFacet(relative, direction, slope, blur) * 0.5f +
-           undersideFacet(relative, direction, slope + towards, blur) * 0.25f +
-           undersideFacet(relative, direction, slope - towards, blur) * 0.25f;
-  } else {
-    seen = undersideFacet(relative, direction, slope, blur);
+  if (anyOf(mirror > 0.0f)) seen = mirroredDepths(relative, direction, calmer);
+  if (anyOf(mirror < 1.0f)) {
+    seen = mix(throughWindow(direction, slope, calmer, blurLevel(0.5f * deviation)), seen, mirror);
   }
   return throughWater(seen, direction, distance);
 }

@@ -157,7 +157,7 @@ TEST(Shadows, WhereNothingCastsOneTheyAreIdleAndCostNothing) {
   near.camera = test::cameraAt({0, 0, 4}, -8.0, 0.0, 45.0, {64, 48});
   near.camera.worldFromCamera = attitude(0.0, -0.14, 0.0);
   near.objects = {{&mesh, {30, 1, 0}, {1, 0, 0, 0}}};
-  Stage empty = near, behind = near, night = near, off = near.without(Effect::shadows);
+  Stage empty = near, behind = near, night = near, unasked = near.without(Effect::shadows);
   empty.objects.clear();
   behind.objects[0].position.x = -60.0;
   behind.light.sunDirection = 0.0;  // ahead: the shadow falls backwards
@@ -169,7 +169,7 @@ TEST(Shadows, WhereNothingCastsOneTheyAreIdleAndCostNothing) {
     const Stage& stage;
     EffectState state;
   } cases[] = {{near, on}, {empty, idle}, {behind, idle}, {night, idle},
-               {off, EffectState::off}, {cast, on}};
+               {unasked, EffectState::off}, {cast, on}};
   for (const bool inGl : {false, true}) {
     int number = 0;
     for (const auto& c : cases) {
