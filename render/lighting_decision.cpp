@@ -141,15 +141,6 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
   return lighting;
 }
 
-bool decideObjects(const View& view) {
-  const bool anyInView = std::any_of(view.objects.begin(), view.objects.end(),
-                                     [&](const auto& o) { return inView(o, view.camera); });
-  return view.effects->decide(
-             Effect::vesselMeshes, anyInView,
-             anyInView ? "a vessel is in the camera's view" : "no vessel in view") &&
-         anyInView;
-}
-
 glm::dmat4 reversedClipFromRelativeWorld(const Camera& camera) {
   glm::dmat4 clipFromEye = camera.clipFromEye();
   for (int column = 0; column < 4; ++column) clipFromEye[column][2] = 0.0;

@@ -10,14 +10,13 @@ namespace seaway::render {
 
 /// What of a scene a frame shows.
 struct Shown {
-  bool water = false, objects = false, cameraIsUnderWater = false;
+  bool water = false, objects = false;
+  bool cameraIsUnderWater = false;  ///< in all pixels
+  bool anyUnderWater = false;       ///< in some
 };
 
 /// Decides on sun and sky with the view's ledger; makes and draws `sky` where it is called for.
 Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyDome>& sky);
-
-/// Decides on the meshes of scene objects: whether any is drawn.
-bool decideObjects(const View& view);
 
 /// Depth runs from 1 at the near plane to 0 at infinity, which spreads a float's precision evenly
 /// over distances; nothing is cut off far away.

@@ -43,10 +43,23 @@ void hold(const View& view, Effect effect, const LocalImage& image) {
   view.effects->holdMemory(effect, image.texels.capacity() * sizeof(glm::vec4));
 }
 
+/// Rays of a row's pixels from `first` on.
+void setRays(const ShadingConstants& c, glm::ivec2 picture, glm::ivec2 first, PixelSpan& span) {
+  const glm::vec2 perPixel = 2.0f / glm::vec2(picture);
+  const float upwards = 1.0f - (static_cast<float>(first.y) + 0.5f) * perPixel.y;
+  const float across = (static_cast<float>(first.x) + 0.5f) * perPixel.x - 1.0f;
+  span.rayStep = c.right * perPixel.x;
+  span.firstRay = c.forward + across * c.right + upwards * c.up;
+}
+
 }  // namespace
 
-void LocalLight::fill(const View& view, const Shown& shown, const ShadingConstants& constants,
-                      const std::uint32_t* skyTexels) {
+void LocalLight::fill(const View& view, const Shown& shown, const ShadingSources& sources) {
+  fillAbove(view, shown, sources);
+  fillUnder(view, shown, sources);
+}
+
+void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSources& sources) {
   mirrored_.size = below_.size = {0, 0};
   const bool mayShow = shown.water && !shown.cameraIsUnderWater && !view.objects.empty();
   std::vector<double> levels;
@@ -58,37 +71,70 @@ void LocalLight::fill(const View& view, const Shown& shown, const ShadingConstan
     const char* no = !shown.water               ? "no water in the picture"
                      : shown.cameraIsUnderWater ? "the camera is under water"
                      : view.objects.empty()     ? "there is nothing but water"
-                                                : "no vessel is near enough to show";
+                                                : "nothing is near enough to show";
     if (!view.effects->decide(effect, called, called ? yes : no) || !called) {
       image = {};
       return;
     }
-    draw(triangles_, view.camera.size, constants, skyTexels, image);
+    draw(view.camera.size, sources, image);
     if (side == WaterSide::mirrored) std::tie(nearest_, farthest_) = triangles_.axialRange();
     hold(view, effect, image);
   };
-  decide(Effect::reflection, WaterSide::mirrored, "water mirrors a vessel", mirrored_);
+  decide(Effect::reflection, WaterSide::mirrored, "water mirrors something", mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
-  decide(Effect::refraction, WaterSide::below, "a vessel's wet part is in view", below_);
+  decide(Effect::refraction, WaterSide::below, "something's wet part is in view", below_);
   if (!mayShow) triangles_ = {};
 }
 
-void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
-                      const ShadingConstants& constants, const std::uint32_t* skyTexels,
-                      LocalImage& image) const {
-  const PixelBox box = triangles.boxIn(picture);
+void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSources& sources) {
+  const bool shows = shown.water && shown.anyUnderWater && !view.objects.empty() &&
+                     !view.effects->isOff(Effect::underWater);
+  if (!shows) {
+    window_ = depths_ = {};
+    return;
+  }
+  std::vector<double> levels = levelsAt(view);
+  const glm::dvec3 eye = view.camera.position;
+  const double surface = view.water->sample(glm::dvec2(eye), view.time).height;
+  // With the eye in the surface or above it, as just below it.
+  const double depth = std::isfinite(surface) ? std::max(surface - eye.z, 1e-3) : 1e-3;
+  ShadingConstants unshadowed = sources.constants;  // the window's places are not kept
+  unshadowed.shadowCount = 0;
+  const auto fill = [&](const ShadingConstants& constants, LocalImage& image) {
+    image.size = {0, 0};
+    if (triangles_.empty()) return;
+    ShadingSources with = sources;
+    draw(view.camera.size,
+         {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
+         image);
+  };
+  triangles_.fillWindow(view.objects, view.camera, depth, levels);
+  fill(unshadowed, window_);
+  forgetFar(view, farthestBelow, levels);
+  triangles_.fill(view.objects, view.camera, WaterSide::depths, levels);
+  fill(sources.constants, depths_);
+  triangles_.clear();
+  const std::size_t texels = window_.texels.capacity() + depths_.texels.capacity();
+  view.effects->holdMemory(Effect::underWater, texels * sizeof(glm::vec4));
+}
+
+void LocalLight::draw(glm::ivec2 picture, const ShadingSources& sources, LocalImage& image) const {
+  const PixelBox box = triangles_.boxIn(picture);
   image.least = box.least;
   image.size = box.end - box.least;
   image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
-  ShadingConstants lit = constants;
+  ShadingConstants lit = sources.constants;
   lit.hazeIsOn = false;
   lit.lampCount = 0;  // places are not known here
+  lit.cameraIsUnderWater = lit.waterlineIsOn = false;
+  const ShadingSources light{lit,     sources.sky, nullptr,         nullptr,
+                             nullptr, nullptr,     sources.shadows, sources.shadowWidth};
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip;
     const int top = box.least.y + piece * rowsPerPiece;
     strip.clear(top, std::min(rowsPerPiece, box.end.y - top), picture.x, true);
-    triangles.raster(strip);
+    triangles_.raster(strip);
     PixelSpan span;
     glm::vec4 radiance[pixelsPerSpan + 16];
     for (int line = 0; line < strip.rows; ++line) {
@@ -98,10 +144,9 @@ void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
         std::fill_n(span.kind, pixelsPerSpan, ShadedAs::ground);
         std::fill_n(span.axial, pixelsPerSpan, 1.0f);
         const float* inverse = strip.inverse.data() + row + first;
-        triangles.fillSpan(strip.object.data() + row + first, inverse, span);
-        span.firstRay = lit.forward;
-        span.rayStep = glm::vec3(0.0f);
-        if (span.hasObjects) shadeSpan(ShadingSources{lit, skyTexels}, span, radiance);
+        triangles_.fillSpan(strip.object.data() + row + first, inverse, span);
+        setRays(lit, picture, {first, top + line}, span);
+        if (span.hasObjects) shadeSpan(light, span, radiance);
         glm::vec4* to =
             &image.texels[static_cast<std::size_t>(top + line - box.least.y) * image.size.x +
                           (first - box.least.x)];
@@ -117,6 +162,12 @@ void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
 void LocalLight::setConstants(ShadingConstants& constants) const {
   constants.mirrorIsOn = !mirrored_.empty();
   constants.belowIsOn = !below_.empty();
+  constants.windowIsOn = !window_.empty();
+  constants.depthsAreOn = !depths_.empty();
+  constants.windowLeast = glm::vec2(window_.least);
+  constants.windowSize = glm::vec2(window_.size);
+  constants.depthsLeast = glm::vec2(depths_.least);
+  constants.depthsSize = glm::vec2(depths_.size);
   constants.mirrorLeast = glm::vec2(mirrored_.least);
   constants.mirrorSize = glm::vec2(mirrored_.size);
   constants.belowLeast = glm::vec2(below_.least);

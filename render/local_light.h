@@ -16,24 +16,29 @@ namespace seaway::render {
 /// object, with waves shorter than the object left out; triangles are clipped there, so that
 /// nothing from the other side leaks in. Lit as objects are, without haze and without the water
 /// between.
+///
+/// From under water: `window`, what stands above it as Snell's window shows it through still water,
+/// and `depths`, what is under it as the underside mirrors it, z → 2h − z.
 class LocalLight {
  public:
-  /// Decides on both with the view's ledger, and draws what is called for; else holds nothing.
-  /// `constants` are the frame's, without those that this sets. Needs no OpenGL.
-  void fill(const View& view, const Shown& shown, const ShadingConstants& constants,
-            const std::uint32_t* skyTexels);
+  /// Decides on them with the view's ledger, and draws what is called for; else holds nothing.
+  /// `sources` are the frame's, without what this makes. Needs no OpenGL.
+  void fill(const View& view, const Shown& shown, const ShadingSources& sources);
 
   const LocalImage& mirrored() const { return mirrored_; }
   const LocalImage& below() const { return below_; }
+  const LocalImage& window() const { return window_; }
+  const LocalImage& depths() const { return depths_; }
   /// Tells shading what is there.
   void setConstants(ShadingConstants& constants) const;
 
  private:
-  void draw(const ObjectTriangles& triangles, glm::ivec2 picture, const ShadingConstants& constants,
-            const std::uint32_t* skyTexels, LocalImage& image) const;
+  void fillAbove(const View& view, const Shown& shown, const ShadingSources& sources);
+  void fillUnder(const View& view, const Shown& shown, const ShadingSources& sources);
+  void draw(glm::ivec2 picture, const ShadingSources& sources, LocalImage& image) const;
 
   ObjectTriangles triangles_;
-  LocalImage mirrored_, below_;
+  LocalImage mirrored_, below_, window_, depths_;
   float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
 };
 

@@ -10,12 +10,15 @@
 #include "render/gl/object_pass.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
+#include "render/gl/waterline_pass.h"
 #include "render/grid_placement.h"
 #include "render/headless_context.h"
 #include "render/hollows.h"
 #include "render/lighting_decision.h"
 #include "render/render_technique.h"
+#include "render/shadow_maps.h"
 #include "render/shore.h"
+#include "render/shown_objects.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -57,6 +60,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void keepTo(const WaterOutline& outline, const View& view) const;
   void drawBoundaries(const View& view, const Shown& shown, FrameStats& stats);
   void shade(const View& view, const Shown& shown, FrameStats& stats);
+  void drawLight(const View& view, const Shown& shown, const Lighting& lighting,
+                 ShadingConstants& constants, FrameStats& stats);
   void read(const View& view, Frame& frame);
   void holdMemory(EffectLedger& effects) const;
   /// Hardware shades in compute: see ComputeShading.
@@ -74,6 +79,11 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::optional<HullMaskPass> hullMask_;
   bool groundIsShown_ = false;
   std::optional<SkyDome> sky_;
+  std::vector<SceneObject> kept_;
+  std::optional<Effect> meshes_;  // who pays for objects
+  ShadowMaps shadows_;
+  Waterline waterline_;
+  std::optional<WaterlinePass> waterlinePass_;
   LocalLight local_;
   ShadingConstants constants_;  // of this frame
   std::optional<ShadingPass> shading_;
@@ -106,7 +116,9 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
   shown.water = placeSea(view, options_.projectorElevation, place, stats).has_value();
   const double fillMs = millisecondsSince(start);
   stats.passesMs.emplace_back("vertices", fillMs);
-  shown.cameraIsUnderWater = shown.water && cameraIsUnderWater(view);
+  waterline_.fill(view, shown.water);
+  shown.cameraIsUnderWater = waterline_.allUnder();
+  shown.anyUnderWater = waterline_.anyUnder();
   if (shown.water) view.effects->charge(Effect::water, 1e3 * fillMs);
 
   glBindFramebuffer(GL_FRAMEBUFFER, targets_->geometry);
@@ -128,12 +140,17 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
       if (const WaterOutline* outline = view.water->outline()) keepTo(*outline, view);
       sea_->draw(*targets_, clipFromRelativeWorld, shown.cameraIsUnderWater);
       glDisable(GL_SCISSOR_TEST);
+      if (!waterline_.isSplit()) return;
+      if (!waterlinePass_) waterlinePass_.emplace();
+      glBindVertexArray(noVertices_);
+      waterlinePass_->draw(*targets_, waterline_);
     });
   }
   drawBoundaries(view, shown, stats);
-  shown.objects = decideObjects(view);
+  meshes_ = decideObjects(view);
+  shown.objects = meshes_.has_value();
   if (shown.objects) {
-    timed(view, stats, "objects", Effect::vesselMeshes, [&] {
+    timed(view, stats, "objects", meshes_, [&] {
       if (!objects_) objects_.emplace();
       objects_->draw(view.objects, view.camera, clipFromRelativeWorld);
     });
@@ -179,8 +196,9 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   input.constants = shadingConstants(view, lighting);
   input.sky = lighting.sky;
   input.local = &local_;
-  local_.fill(view, shown, input.constants, lighting.sky ? lighting.sky->texels().data() : nullptr);
-  local_.setConstants(input.constants);
+  input.shadows = &shadows_;
+  input.waterline = waterlinePass_ ? waterlinePass_->texture() : 0;
+  drawLight(view, shown, lighting, input.constants, stats);
   constants_ = input.constants;
   input.waterIsOn = shown.water;
   input.objectsAreOn = shown.objects || groundIsShown_;
@@ -202,6 +220,25 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   timed(view, stats, "tone_map", std::nullopt, [&] { shading_->mapTones(*targets_, input); });
 }
 
+/// What of shading the processor draws: shadows, and objects by way of the water.
+void ProjectedGridTechnique::drawLight(const View& view, const Shown& shown,
+                                       const Lighting& lighting, ShadingConstants& constants,
+                                       FrameStats& stats) {
+  const Clock::time_point start = Clock::now();
+  shadows_.fill(view, shown, lighting);
+  if (shadows_.size().x > 0) {
+    const double milliseconds = millisecondsSince(start);
+    stats.passesMs.emplace_back("shadows", milliseconds);
+    view.effects->charge(Effect::shadows, 1e3 * milliseconds);
+  }
+  waterline_.setConstants(constants);
+  shadows_.setConstants(constants);
+  local_.fill(view, shown,
+              {constants, lighting.sky ? lighting.sky->texels().data() : nullptr, nullptr, nullptr,
+               nullptr, nullptr, shadows_.texels().data(), shadows_.size().x});
+  local_.setConstants(constants);
+}
+
 void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
   std::size_t water = sea_ ? sea_->memoryBytes() : 0, sky = sky_ ? sky_->memoryBytes() : 0;
   const auto addTextures = [&](const auto& shading) {
@@ -214,7 +251,7 @@ void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
   if (water > 0) effects.holdMemory(Effect::water, water);
   if (sky > 0) effects.holdMemory(Effect::sky, sky);
   if (ground_) effects.holdMemory(Effect::outline, ground_->memoryBytes());
-  if (objects_) effects.holdMemory(Effect::vesselMeshes, objects_->memoryBytes());
+  if (objects_) effects.holdMemory(meshes_.value_or(Effect::vesselMeshes), objects_->memoryBytes());
 }
 
 void ProjectedGridTechnique::read(const View& view, Frame& frame) {
@@ -231,7 +268,8 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }
 
-void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
+void ProjectedGridTechnique::drawInto(const View& given, Frame& frame) {
+  const View view = withoutSwitchedOff(given, kept_);
   validatePlain(view);
   context_.makeCurrent();
   prepareTargets(view.camera);

@@ -92,12 +92,20 @@ struct Mesh {
   double boundingRadius = 0.0;  ///< about the body origin, m
 };
 
+/// What a scene object is, and so which effect draws it.
+enum class ObjectKind {
+  vessel,   ///< Effect::vesselMeshes
+  scenery,  ///< Effect::scenery
+  terrain,  ///< Effect::terrain
+};
+
 /// A mesh placed in the sea plane's frame.
 struct SceneObject {
   const Mesh* mesh = nullptr;
   glm::dvec3 position{0.0};
   glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};
   std::uint16_t instance = 0;  ///< what Frame::instances calls it; 0: not told from the rest
+  ObjectKind kind = ObjectKind::vessel;
 };
 
 /// Everything a technique draws: no graphics library in sight.

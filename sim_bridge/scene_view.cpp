@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim_bridge/output/progress.h"
+#include "sim_bridge/scenery_objects.h"
 #include "sim_bridge/vessel/navigation_lights.h"
 #include "sim_bridge/vessel/vessel_mesh.h"
 #include "surface/angles.h"
@@ -44,6 +45,17 @@ void placeFixed(render::Camera& camera, const SceneCamera& description, const Ge
 SceneView::SceneView(const Scene& scene) : scene_(&scene) {
   meshes_.reserve(scene.vessels.size());
   for (const SceneVessel& vessel : scene.vessels) meshes_.push_back(vesselMesh(vessel.model));
+  scenery_.reserve(scene.scenery.size());
+  for (const SceneryObject& object : scene.scenery) scenery_.push_back(sceneryMesh(object));
+}
+
+void SceneView::addScenery(const SceneMoment& moment) {
+  for (std::size_t i = 0; i < scenery_.size(); ++i) {
+    objects_.push_back(placedScenery(scene_->scenery[i], scenery_[i], *moment.geodesy,
+                                     *moment.water, moment.time));
+    objects_.back().instance = static_cast<std::uint16_t>(scene_->vessels.size() + 1 + i);
+    instances_.push_back({scene_->scenery[i].name, "scenery", nullptr});
+  }
 }
 
 render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
@@ -104,6 +116,7 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
                         static_cast<std::uint16_t>(placed.vessel + 1)});
     instances_.push_back({scene_->vessels[placed.vessel].name, "vessel", nullptr});
   }
+  addScenery(moment);
   for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i].object = &objects_[i];
   view.objects = objects_;
   view.effects = &ledger;

@@ -34,7 +34,8 @@ struct SceneInstance {
 render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
                             const SceneMoment& moment, glm::ivec2 size);
 
-/// What pictures of a scene need beside the simulation: the vessels' meshes, made once.
+/// What pictures of a scene need beside the simulation: the meshes of vessels and scenery, made
+/// once.
 class SceneView {
  public:
   /// `scene` must outlive this object.
@@ -53,8 +54,11 @@ class SceneView {
   const std::vector<SceneInstance>& instances() const { return instances_; }
 
  private:
+  void addScenery(const SceneMoment& moment);
+
   const Scene* scene_;
-  std::vector<render::Mesh> meshes_;
+  std::vector<render::Mesh> meshes_;   // of vessels
+  std::vector<render::Mesh> scenery_;  // of each thing of the scenery
   std::vector<PlacedVessel> vessels_;
   /// By day there are none.
   void placeLamps(const SceneMoment& moment);

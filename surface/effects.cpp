@@ -114,6 +114,10 @@ bool EffectLedger::decide(Effect effect, bool calledFor, std::string_view reason
   return runs;
 }
 
+bool EffectLedger::isOff(Effect effect) const {
+  return settings_[indexOf(effect)] == EffectSetting::off;
+}
+
 void EffectLedger::charge(Effect effect, double microseconds) {
   reports_[indexOf(effect)].costMicroseconds += microseconds;
 }

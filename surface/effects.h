@@ -94,6 +94,8 @@ class EffectLedger {
   /// True if `effect` is to run now: never when set off, always when set on, else `calledFor`.
   /// `reason` says why it is or is not called for. One "on" decision outweighs later idle ones.
   bool decide(Effect effect, bool calledFor, std::string_view reason);
+  /// Whether the scene switched `effect` off.
+  bool isOff(Effect effect) const;
 
   void charge(Effect effect, double microseconds);
   /// Says that `effect` works inside the passes that `payer` is charged for.

@@ -3,8 +3,9 @@
 namespace seaway::render {
 
 ComputeShading::ComputeShading()
-    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h",
-                                   "optics.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
+    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h", "waterline.glsl.h",
+                                   "shadows.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
+                                   "under_water.glsl.h",
                                    "shade.comp"})) {}
 
 void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input,
@@ -15,6 +16,7 @@ void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input,
   program_.setTexture("albedoMap", 2, targets.albedo);
   program_.setTexture("distanceMap", 3, targets.distance);
   if (input.waterIsOn) setWaterTextures(program_, textures_, input);
+  setSceneTextures(program_, textures_, input, true);
   glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   program_.set("radianceIsWanted", wantsRadiance ? 1 : 0);
   glBindImageTexture(3, targets.radiance, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);

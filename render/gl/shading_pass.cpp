@@ -18,7 +18,8 @@ void drawFullScreen(const GlProgram& program, GLuint framebuffer, glm::ivec2 siz
 GlProgram makeShader(std::string_view fragment) {
   return GlProgram({"full_screen.vert"},
                    {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h",
-                    "night_lights.glsl.h", "sea_shading.glsl.h", "shading_inputs.glsl", fragment});
+                    "waterline.glsl.h", "shadows.glsl.h", "night_lights.glsl.h",
+                    "sea_shading.glsl.h", "under_water.glsl.h", "shading_inputs.glsl", fragment});
 }
 
 std::string element(const char* name, int i) {
@@ -103,6 +104,36 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("mirrorFarthest", c.mirrorFarthest);
 }
 
+void setUnderWater(const GlProgram& program, const ShadingConstants& c) {
+  program.set("windowIsOn", c.windowIsOn ? 1 : 0);
+  program.set("depthsAreOn", c.depthsAreOn ? 1 : 0);
+  program.set("windowLeast", c.windowLeast);
+  program.set("windowSize", c.windowSize);
+  program.set("depthsLeast", c.depthsLeast);
+  program.set("depthsSize", c.depthsSize);
+  program.set("stillWater", c.stillWater);
+  program.set("sunInWater", c.sunInWater);
+  program.set("eyeVeil", c.eyeVeil);
+  program.set("waterlineIsOn", c.waterlineIsOn ? 1 : 0);
+  program.set("waterlinePerPixel", c.waterlinePerPixel);
+}
+
+void setShadows(const GlProgram& program, const ShadingConstants& c) {
+  program.set("shadowCount", c.shadowCount);
+  if (c.shadowCount == 0) return;
+  program.set("sunPartBelow", c.sunPartBelow);
+  program.set("shadowRight", c.shadowRight);
+  program.set("shadowUp", c.shadowUp);
+  program.set("shadowBend", c.shadowBend);
+  program.set("shadowBase", c.shadowBase);
+  for (int i = 0; i < c.shadowCount; ++i) {
+    program.set(element("shadowLeast", i).c_str(), c.shadowLeast[i]);
+    program.set(element("shadowSize", i).c_str(), c.shadowSize[i]);
+    program.set(element("shadowTexel", i).c_str(), c.shadowTexel[i]);
+    program.set(element("shadowRow", i).c_str(), c.shadowRow[i]);
+  }
+}
+
 void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {
   program.set("oilLight", c.oilLight);
   program.set("bubbleLight", c.bubbleLight);
@@ -147,6 +178,17 @@ void setWaterTextures(const GlProgram& program, ShadingTextures& textures,
   if (c.belowIsOn) program.setTexture("belowMap", 8, textures.below(input.local->below()));
 }
 
+void setSceneTextures(const GlProgram& program, ShadingTextures& textures,
+                      const ShadingInput& input, bool anew) {
+  const ShadingConstants& c = input.constants;
+  if (c.shadowCount > 0) {
+    program.setTexture("shadowMap", 15, textures.shadows(*input.shadows, anew));
+  }
+  if (c.waterlineIsOn) program.setTexture("waterlineMap", 14, input.waterline);
+  if (c.windowIsOn) program.setTexture("windowMap", 13, textures.window(input.local->window()));
+  if (c.depthsAreOn) program.setTexture("depthsMap", 12, textures.depths(input.local->depths()));
+}
+
 void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("forward", c.forward);
   program.set("middleRay", c.middleRay);
@@ -159,20 +201,26 @@ void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   setNight(program, c);
   setWater(program, c);
   setLocal(program, c);
+  setUnderWater(program, c);
+  setShadows(program, c);
   setFoamAndRain(program, c);
 }
 
 ShadingPass::ShadingPass()
     : sky_(makeShader("shade_sky.frag")),
       toneMap_({"full_screen.vert"},
-               {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h",
-                "night_lights.glsl.h", "sea_shading.glsl.h", "tone_map.frag"}) {}
+               {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h", "waterline.glsl.h",
+                "shadows.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
+                "under_water.glsl.h", "tone_map.frag"}) {}
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {
   setShadingConstants(program, input.constants);
   if (input.sky) program.setTexture("dome", 0, textures_.dome(*input.sky));
-  if (which == stencilWater) setWaterTextures(program, textures_, input);
+  if (which == stencilWater || which == stencilUnderside) {
+    setWaterTextures(program, textures_, input);
+  }
+  setSceneTextures(program, textures_, input, which == stencilSky);
   program.setTexture("surfaceMap", 1, targets.surface);
   program.setTexture("albedoMap", 2, targets.albedo);
   program.setTexture("distanceMap", 3, targets.distance);
@@ -187,7 +235,7 @@ void ShadingPass::shade(const FrameTargets& targets, const ShadingInput& input) 
   if (input.waterIsOn) {
     if (water_ == 0) water_ = makeShader("shade_water.frag");
     shadeClass(water_, stencilWater, targets, input);
-    if (input.constants.cameraIsUnderWater) {
+    if (input.constants.cameraIsUnderWater || input.constants.waterlineIsOn) {
       if (underside_ == 0) underside_ = makeShader("shade_underside.frag");
       shadeClass(underside_, stencilUnderside, targets, input);
     }

@@ -8,6 +8,7 @@
 #include "render/local_light.h"
 #include "render/shading/shading_constants.h"
 #include "render/shading/sky_dome.h"
+#include "render/shadow_maps.h"
 
 namespace seaway::render {
 
@@ -15,7 +16,9 @@ namespace seaway::render {
 struct ShadingInput {
   ShadingConstants constants;
   const SkyDome* sky = nullptr;  ///< null: the sky is switched off
-  const LocalLight* local = nullptr;  ///< read where the constants say so
+  const LocalLight* local = nullptr;  ///< read where the constants say so, as the next two
+  const ShadowMaps* shadows = nullptr;
+  GLuint waterline = 0;  ///< texture of the waterline's heights
   bool waterIsOn = false;
   bool objectsAreOn = false;
 };
@@ -23,6 +26,11 @@ struct ShadingInput {
 /// Binds what water is shaded with beside the sky, from unit 4 on.
 void setWaterTextures(const GlProgram& program, ShadingTextures& textures,
                       const ShadingInput& input);
+
+/// Binds what the processor has drawn of scene objects, from unit 15 down; shadows are filled in
+/// where `anew`.
+void setSceneTextures(const GlProgram& program, ShadingTextures& textures,
+                      const ShadingInput& input, bool anew);
 
 /// Sets the uniforms of shading_prelude.glsl.
 void setShadingConstants(const GlProgram& program, const ShadingConstants& constants);

@@ -90,6 +90,20 @@ GLuint ShadingTextures::fill(const LocalImage& image, Local& local) {
   return local.texture;
 }
 
+GLuint ShadingTextures::shadows(const ShadowMaps& maps, bool anew) {
+  const glm::ivec2 size = maps.size();
+  if (shadows_.size.x < size.x || shadows_.size.y < size.y) {
+    shadows_.size = glm::max(shadows_.size, size + size / 4);
+    shadows_.texture = makeTexture(GL_R32F, shadows_.size, GL_NEAREST);
+    anew = true;
+  }
+  if (anew) {
+    glTextureSubImage2D(shadows_.texture, 0, 0, 0, size.x, size.y, GL_RED, GL_FLOAT,
+                        maps.texels().data());
+  }
+  return shadows_.texture;
+}
+
 std::size_t ShadingTextures::skyMemoryBytes() const {
   return dome_ == 0 ? 0 : std::size_t{SkyDome::side} * SkyDome::side * 4 * 4 / 3;
 }

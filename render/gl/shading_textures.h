@@ -6,6 +6,7 @@
 #include "render/gl/gl_objects.h"
 #include "render/local_image.h"
 #include "render/shading/sky_dome.h"
+#include "render/shadow_maps.h"
 
 namespace seaway::render {
 
@@ -23,6 +24,10 @@ class ShadingTextures {
   /// A picture of LocalLight, filled anew by each call.
   GLuint mirrored(const LocalImage& image) { return fill(image, mirrored_); }
   GLuint below(const LocalImage& image) { return fill(image, below_); }
+  GLuint window(const LocalImage& image) { return fill(image, window_); }
+  GLuint depths(const LocalImage& image) { return fill(image, depths_); }
+  /// The sun's maps, filled in where `anew`.
+  GLuint shadows(const ShadowMaps& maps, bool anew);
 
   std::size_t skyMemoryBytes() const;
   std::size_t waterMemoryBytes() const;
@@ -35,7 +40,7 @@ class ShadingTextures {
   static GLuint fill(const LocalImage& image, Local& local);
 
   GlTexture dome_, fresnel_, ripples_, foam_;
-  Local mirrored_, below_;
+  Local mirrored_, below_, window_, depths_, shadows_;
   int domeVersion_ = 0;
 };
 

@@ -17,9 +17,10 @@ vec3 pixelRadiance(ivec2 pixel, vec3 ray) {
   float range = length(relative);
   vec4 surface = texelFetch(surfaceMap, pixel, 0);
   if (distanceHere < 0.0) {
-    return objectRadiance(relative, range, surface.xyz, texelFetch(albedoMap, pixel, 0).rgb);
+    return objectRadiance(relative, range, surface.xyz, texelFetch(albedoMap, pixel, 0).rgb,
+                          relative);
   }
-  if (cameraIsUnderWater) return undersideRadiance(relative, range, surface.xy);
+  if (submerged(relative) > 0.5) return undersideRadiance(relative, range, surface.xy, surface.z);
   return waterRadiance(relative, range, surface.xy, surface.z, surface.w,
                        texelFetch(albedoMap, pixel, 0).rgb);
 }

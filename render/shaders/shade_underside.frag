@@ -1,4 +1,5 @@
 void main() {
   vec3 relative = relativePosition();
-  write(undersideRadiance(relative, length(relative), surfaceHere().xy));
+  vec4 surface = surfaceHere();
+  write(undersideRadiance(relative, length(relative), surface.xy, surface.z));
 }

@@ -36,6 +36,17 @@ uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
 uniform float mirrorNearest, mirrorFarthest;
 uniform int mirrorSteps;
 
+uniform bool windowIsOn, depthsAreOn, waterlineIsOn;
+uniform vec2 windowLeast, windowSize, depthsLeast, depthsSize;
+uniform float stillWater, shadowBase;
+uniform vec3 sunInWater, eyeVeil, sunPartBelow;
+uniform vec2 waterlinePerPixel;
+const int waterlineCells = 64;
+uniform int shadowCount;
+uniform vec3 shadowRight, shadowUp, shadowBend;
+uniform vec2 shadowLeast[3], shadowSize[3];
+uniform float shadowTexel[3], shadowRow[3];
+
 uniform bool foamIsOn, rainIsOn;
 uniform vec3 foamSky, foamSun, bubbleLight, oilLight, oldRamp;
 uniform vec2 whitecapAlong, breakingRamp;
@@ -131,4 +142,24 @@ float belowNearness(vec2 pixel) {
 }
 vec3 belowLight(vec2 pixel, inout float part) {
   return localLight(belowMap, pixel - belowLeast, belowSize, part);
+}
+
+uniform sampler2D windowMap, depthsMap;  // the same
+vec3 windowLight(vec2 pixel, inout float part) {
+  return localLight(windowMap, pixel - windowLeast, windowSize, part);
+}
+float depthsNearness(vec2 pixel) {
+  return localTexel(depthsMap, floor(pixel + 0.5) - depthsLeast, depthsSize).w;
+}
+vec3 depthsLight(vec2 pixel, inout float part) {
+  return localLight(depthsMap, pixel - depthsLeast, depthsSize, part);
+}
+
+uniform sampler2D shadowMap;     // ShadowMaps
+uniform sampler2D waterlineMap;  // Waterline: top row first
+float shadowHeight(float column, float row) {
+  return texelFetch(shadowMap, ivec2(column, row), 0).r;
+}
+float waterlineHeight(float column, float row) {
+  return texelFetch(waterlineMap, ivec2(column, row), 0).r;
 }

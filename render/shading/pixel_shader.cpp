@@ -103,14 +103,26 @@ struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
   const float* foam;                            // null where foam is off
-  const glm::vec4 *mirrorTexels, *belowTexels;  // null where there are none
+  // Null where there are none.
+  const glm::vec4 *mirrorTexels, *belowTexels, *windowTexels, *depthsTexels;
+  const float *shadows, *waterline;
+  float shadowWidth;
 
   HWY_INLINE explicit PixelShader(const ShadingSources& sources)
       : ShadingConstants(sources.constants),
         skyTexels(sources.sky),
         foam(sources.constants.foamIsOn ? foamTable().texels.data() : nullptr),
-        mirrorTexels(sources.mirrored ? sources.mirrored->texels.data() : nullptr),
-        belowTexels(sources.below ? sources.below->texels.data() : nullptr) {}
+        mirrorTexels(texelsOf(sources.mirrored)),
+        belowTexels(texelsOf(sources.below)),
+        windowTexels(texelsOf(sources.window)),
+        depthsTexels(texelsOf(sources.depths)),
+        shadows(sources.shadows),
+        waterline(sources.waterline),
+        shadowWidth(static_cast<float>(sources.shadowWidth)) {}
+
+  static const glm::vec4* texelsOf(const LocalImage* image) {
+    return image ? image->texels.data() : nullptr;
+  }
 
   /// First number of a texel of a local picture; where there is none, of any, and `inside` 0.
   HWY_INLINE VI localTexel(Real column, Real row, glm::vec2 size, Real& inside) const {
@@ -159,6 +171,22 @@ struct PixelShader : ShadingConstants {
   }
   HWY_INLINE Real3 belowLight(Real2 pixel, Real& part) const {
     return localLight(belowTexels, belowLeast, belowSize, pixel, part);
+  }
+  HWY_INLINE Real3 windowLight(Real2 pixel, Real& part) const {
+    return localLight(windowTexels, windowLeast, windowSize, pixel, part);
+  }
+  HWY_INLINE Real depthsNearness(Real2 pixel) const {
+    return localNearness(depthsTexels, depthsLeast, depthsSize, pixel);
+  }
+  HWY_INLINE Real3 depthsLight(Real2 pixel, Real& part) const {
+    return localLight(depthsTexels, depthsLeast, depthsSize, pixel, part);
+  }
+  // Numbers of texels stay below 2²⁴: exact in float.
+  HWY_INLINE Real shadowHeight(Real column, Real row) const {
+    return gather(shadows, toInt(row * shadowWidth + column));
+  }
+  HWY_INLINE Real waterlineHeight(Real column, Real row) const {
+    return gather(waterline, toInt(row * (waterlineCells + 1.0f) + column));
   }
 
   HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
@@ -237,6 +265,9 @@ struct PixelShader : ShadingConstants {
 #include "render/shading/optics.glsl.h"
 #include "render/shading/night_lights.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
+#include "render/shading/shadows.glsl.h"
+#include "render/shading/under_water.glsl.h"
+#include "render/shading/waterline.glsl.h"
 #undef SHADER
 #undef INOUT
 };
@@ -275,15 +306,23 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
                radiance);
   }
   if (anyOf(underside)) {
-    radiance = choose(underside, shader.undersideRadiance(relative, distance, slope), radiance);
+    radiance = choose(
+        underside,
+        shader.undersideRadiance(relative, distance, slope, hn::Load(f, span.missingSlope + i)),
+        radiance);
   }
   if (anyOf(object)) {
     const auto load = [&](const float(&from)[3][pixelsPerSpan]) HWY_ATTR {
       return Real3(hn::Load(f, from[0] + i), hn::Load(f, from[1] + i), hn::Load(f, from[2] + i));
     };
-    radiance =
-        choose(object,
-               shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance)),
+    Real3 place = relative;
+    if (span.hasPlaces) {
+      const Real level = hn::Load(f, span.placeLevel + i);
+      place.z = level + Real(hn::Load(f, span.placeScale + i)) * (place.z - level);
+    }
+    radiance = choose(
+        object,
+        shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance), place),
                radiance);
   }
   return radiance;

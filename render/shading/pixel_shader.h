@@ -38,6 +38,10 @@ struct PixelSpan {
   /// Read only where `hasObjects`: normal and reflectance.
   bool hasObjects = false;
   alignas(64) float normal[3][pixelsPerSpan], reflectance[3][pixelsPerSpan];
+  /// Read only where `hasPlaces`: an object at height z is really at level + scale (z − level), m
+  /// from the eye.
+  bool hasPlaces = false;
+  alignas(64) float placeLevel[pixelsPerSpan], placeScale[pixelsPerSpan];
 };
 
 /// What a frame is shaded with.
@@ -46,6 +50,11 @@ struct ShadingSources {
   const std::uint32_t* sky = nullptr;     ///< SkyDome::texels; null: the sky is switched off
   const LocalImage* mirrored = nullptr;   ///< read where constants.mirrorIsOn
   const LocalImage* below = nullptr;      ///< read where constants.belowIsOn
+  const LocalImage* window = nullptr;    ///< read where constants.windowIsOn
+  const LocalImage* depths = nullptr;    ///< read where constants.depthsAreOn
+  const float* shadows = nullptr;        ///< ShadowMaps::texels, where constants.shadowCount > 0
+  int shadowWidth = 0;                   ///< texels from row to row
+  const float* waterline = nullptr;      ///< Waterline::heights, where constants.waterlineIsOn
 };
 
 /// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.

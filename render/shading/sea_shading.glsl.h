@@ -7,7 +7,8 @@
 // instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
 // roughMirror, roughArea, and of LocalLight's pictures nearness (1/axial distance at a pixel, 0
 // where there is nothing) and light (between pixels, times the part that is covered, which is
-// returned too), and rain_rings.glsl.h, optics.glsl.h and night_lights.glsl.h before this text.
+// returned too), and rain_rings.glsl.h, optics.glsl.h, waterline.glsl.h, shadows.glsl.h and
+// night_lights.glsl.h before this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
 SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
@@ -51,13 +52,11 @@ SHADER Real3 hazed(Real3 colour, Real3 direction, Real distance) {
   return seen;
 }
 
-SHADER Real3 throughWater(Real3 colour, Real distance) {
-  return mix(Real3(veil), colour, leftInWater(distance));
-}
+// Light of the water itself along a ray in it, brightest from above, as deep as the eye is.
+SHADER Real3 waterLight(Real3 direction) { return Real3(eyeVeil) * exp(0.9f * direction.z); }
 
-SHADER Real2 pixelOf(Real3 place, Real axial) {
-  return Real2(dot(place, Real3(pixelRight)) / axial + pixelMiddle.x,
-               dot(place, Real3(pixelDown)) / axial + pixelMiddle.y);
+SHADER Real3 throughWater(Real3 colour, Real3 direction, Real distance) {
+  return mix(waterLight(direction), colour, leftInWater(distance));
 }
 
 // The ray that a facet mirrors, in the mirrored world, where it goes on below the water.
@@ -160,8 +159,7 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
   Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
   Real path = max(depth, 0.0f) / steep;
   Real3 clear = leftInWater(path);
-  Real3 lit = leftInWater(max(depth, 0.0f));
-  return water - water * clear * (part * shown) + light * clear * lit * shown;
+  return water - water * clear * (part * shown) + light * clear * shown;
 }
 
 // Disc and glare about it. Angles are small where either shows: chord for arc.
@@ -342,12 +340,17 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   // A film of oil reflects half as much again.
   Real mirror = rough.x + 0.5f * cover.z * rough.x * (1.0f - rough.x);
   Real3 fromBelow = upwelling(toViewer, slope, height, white, cover.z);
+  Real sunlit = Real(1.0f);
+  if (shadowCount > 0) {
+    sunlit = sunlitPart(relative, Real3(0.0f, 0.0f, 0.0f));
+    fromBelow = fromBelow - fromBelow * Real3(sunPartBelow) * (1.0f - sunlit);
+  }
   if (belowIsOn) fromBelow = withObjectsBelow(relative, distance, toViewer, slope, fromBelow);
   Real3 colour = mix(fromBelow, sky, mirror);
   if (sunIsOn) {
     Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(rootSunHeight), slope,
                                      variance, rootCosine);
-    colour = colour + Real3(sunLight) * (mirroredSun * open);
+    colour = colour + Real3(sunLight) * (mirroredSun * open * sunlit);
   }
   if (lampCount > 0) {
     colour = colour + lampGlitter(relative, toViewer, slope, variance, rootCosine) * open;
@@ -355,7 +358,7 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   if (anyOf(white > 0.0f)) {
     Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
                upright;
-    Real3 whiteWater = Real3(foamSky) + Real3(foamSun) * lit;
+    Real3 whiteWater = Real3(foamSky) + Real3(foamSun) * (lit * sunlit);
     if (lampCount > 0) {
       whiteWater = whiteWater + lampLightOn(relative, Real3(0.0f, 0.0f, 1.0f)) * 0.5f;
     }
@@ -366,42 +369,41 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   return colour;
 }
 
-// The surface from below: the sky through Snell's window, the deep around it.
-SHADER Real3 undersideRadiance(Real3 relative, Real distance, Real2 slope) {
-  Real3 direction = relative / distance;
-  Real upright = inversesqrt(1.0f + dot(slope, slope));
-  Real3 normal = Real3(slope.x, slope.y, Real(-1.0f)) * upright;  // downwards
-  Real cosine = max(-dot(normal, direction), 0.0f);
-  Real inside = 1.0f - 1.34f * 1.34f * (1.0f - cosine * cosine);
-  Real3 refracted = direction * 1.34f + normal * (1.34f * cosine - sqrt(max(inside, 0.0f)));
-  Real3 above = choose(inside > 0.0f, blurredSky(refracted, Real(3.0f)) + 0.15f * sunDisc(refracted),
-                       Real3(0.0f, 0.0f, 0.0f));
-  return throughWater(mix(above, Real3(veil), fresnel(cosine, 1.0f / 1.34f)), distance);
-}
-
 SHADER Real3 skyPixel(Real3 direction) {
-  Real3 seen = Real3(veil);
-  if (!cameraIsUnderWater) {
+  Real wet = submergedNowhere(direction);
+  Real3 seen = Real3(0.0f, 0.0f, 0.0f);
+  if (anyOf(wet < 0.5f)) {
     seen = skyRadianceSeen(direction);
     if (starLight > 0.0f) seen = seen + starsSeen(direction);
     if (lampCount > 0) seen = seen + lampsSeen(direction, Real(1e9f));
   }
-  return seen;
+  return choose(wet < 0.5f, seen, waterLight(direction));
 }
 
-SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 reflectance) {
+// `place`: where the object is, where `relative` shows it by way of the water.
+SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 reflectance,
+                            Real3 place) {
+  Real depth = depthUnderStillWater(place);
+  Real wetted = clamp(depth * 10.0f, 0.0f, 1.0f);  // by degrees: there are waves
+  Real3 sun = mix(Real3(sunDirection), Real3(sunInWater), wetted);
+  Real facing = max(dot(normal, sun), 0.0f) * 0.31830989f;
+  if (shadowCount > 0) {
+    if (anyOf(facing > 0.0f)) facing = facing * sunlitPart(place, normal);
+}
   Real3 upper = Real3(normal.x, normal.y, normal.z + 1.2f);
   Real3 ambient = blurredSky(upper * inversesqrt(max(dot(upper, upper), 1e-12f)), Real(7.0f));
-  Real3 light = mix(Real3(0.06f * skyLight), ambient, 0.5f + 0.5f * normal.z) +
-                Real3(sunLight) * (max(dot(normal, Real3(sunDirection)), 0.0f) * 0.31830989f);
+  Real3 lower = mix(Real3(0.06f * skyLight), Real3(veil), wetted);
+  Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
-  Real3 colour = reflectance * light;
-  if (cameraIsUnderWater) colour = throughWater(colour, distance);
-  if (!cameraIsUnderWater) {
-    colour = hazed(colour, relative / distance, distance);
-    if (lampCount > 0) colour = colour + lampsSeen(relative / distance, distance);
+  // Light that has come down through the water.
+  Real3 colour = reflectance * light * leftInWater(depth);
+  Real wet = submerged(relative);
+  Real3 seen = hazed(colour, relative / distance, distance);
+  if (lampCount > 0) seen = seen + lampsSeen(relative / distance, distance);
+  if (anyOf(wet > 0.5f)) {
+    seen = choose(wet > 0.5f, throughWater(colour, relative / distance, distance), seen);
   }
-  return colour;
+  return seen;
 }
 
 // Narkowicz' fit of the ACES curve, [0, 1].

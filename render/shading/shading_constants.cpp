@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
 
 #include "render/band_limit.h"
+#include "render/fresnel.h"
 #include "render/render_technique.h"
 #include "render/ripples.h"
 #include "render/shading/night_constants.h"
@@ -114,7 +116,16 @@ void setWater(ShadingConstants& c, const View& view) {
   c.waterExtinction = clearExtinction + static_cast<float>(view.light.turbidity);
   c.deepWater = deepReflectance * onSea;
   c.veil = 1.6f * c.deepWater;
+  c.sunPartBelow = (onSea - c.skyLight) / glm::max(onSea, 1e-6f);
+  c.eyeVeil = c.veil;
   if (!view.water) return;
+  c.stillWater = static_cast<float>(-view.camera.position.z);
+  c.eyeVeil = c.veil * glm::exp(-c.waterExtinction * std::max(c.stillWater, 0.0f));
+  const glm::vec2 level = glm::vec2(c.sunDirection) / static_cast<float>(seaWaterIndex);
+  c.sunInWater = {level, std::sqrt(1.0f - glm::dot(level, level))};
+  // An eye that is under water all the same gets used to what is left there, not all the way.
+  const float depth = c.cameraIsUnderWater ? std::max(c.stillWater, 0.0f) : 0.0f;
+  c.exposure *= 2.5f - 1.5f * std::exp(-0.5f * depth);
   c.bubbleLight = bubbleReflectance * onSea;
   c.oilLight = oilReflectance * onSea;
   const double crestHeight = 0.5 * view.water->waves().significantWaveHeight();

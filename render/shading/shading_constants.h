@@ -68,6 +68,26 @@ struct ShadingConstants {
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
   int mirrorSteps = 6;
   float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
+  // the same from under water
+  bool windowIsOn = false, depthsAreOn = false;
+  glm::vec2 windowLeast{0.0f}, windowSize{0.0f};
+  glm::vec2 depthsLeast{0.0f}, depthsSize{0.0f};
+  float stillWater = -1e30f;               ///< height of still water from the eye, m
+  glm::vec3 sunInWater{0.0f, 0.0f, 1.0f};  ///< sunDirection refracted at still water
+  glm::vec3 eyeVeil{0.0f};                 ///< veil as deep as the eye is
+  // which pixels are under water (Waterline)
+  bool waterlineIsOn = false;  ///< else all as cameraIsUnderWater says
+  glm::vec2 waterlinePerPixel{0.0f};
+  static constexpr int waterlineCells = 64;
+  // shadows (ShadowMaps); lengths in m, places in texels
+  static constexpr int mostShadowMaps = 3;
+  int shadowCount = 0;
+  glm::vec3 shadowRight{0.0f}, shadowUp{0.0f};
+  glm::vec3 shadowBend{0.0f};  ///< what a metre of depth moves a place by
+  float shadowBase = 0.0f;
+  glm::vec2 shadowLeast[mostShadowMaps]{}, shadowSize[mostShadowMaps]{};
+  float shadowTexel[mostShadowMaps]{}, shadowRow[mostShadowMaps]{};
+  glm::vec3 sunPartBelow{0.0f};  ///< part of deepWater that is the sun's
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer
   float hairSlope = 0.0f;         ///< mean-square slope of what is finer than ripples

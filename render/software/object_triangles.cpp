@@ -11,9 +11,6 @@
 
 namespace seaway::render {
 
-namespace {
-
-/// The corners on one side of a level, as many as four; how many.
 int cutAtLevel(const glm::vec3 (&corners)[3], float level, float upwards, glm::vec3 (&out)[4]) {
   int count = 0;
   for (int i = 0; i < 3; ++i) {
@@ -28,9 +25,8 @@ int cutAtLevel(const glm::vec3 (&corners)[3], float level, float upwards, glm::v
   return count;
 }
 
-}  // namespace
-
 void ObjectTriangles::clear() {
+  isMoved_ = false;
   triangles_.clear();
   faces_.clear();
 }
@@ -45,10 +41,11 @@ void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& c
 void ObjectTriangles::fill(std::span<const SceneObject> objects, const Camera& camera,
                            WaterSide side, std::span<const double> levels) {
   clear();
+  isMoved_ = true;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const double level = levels[i];
     SceneObject seen = objects[i];
-    if (side == WaterSide::mirrored) seen.position.z = 2.0 * level - seen.position.z;
+    if (side != WaterSide::below) seen.position.z = 2.0 * level - seen.position.z;
     if (!std::isfinite(level) || !inView(seen, camera)) continue;
     const double origin = relativePosition(objects[i], camera).z - objects[i].position.z;
     const Half half{side, static_cast<float>(origin + level)};
@@ -64,15 +61,18 @@ void ObjectTriangles::add(const SceneObject& object, const Camera& camera, const
     for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3) {
       glm::vec3 corners[3];
       for (int k = 0; k < 3; ++k) corners[k] = rotation * part.vertices[i + k] + position;
-      const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
+      Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
       if (!half) {
         add(corners, face, projection, false);
         continue;
       }
-      const bool mirrored = half->side == WaterSide::mirrored;
+      const bool mirrored = half->side != WaterSide::below;
       glm::vec3 kept[4];
-      const int count = cutAtLevel(corners, half->level, mirrored ? 1.0f : -1.0f, kept);
+      const float upwards = half->side == WaterSide::mirrored ? 1.0f : -1.0f;
+      const int count = cutAtLevel(corners, half->level, upwards, kept);
       const float scale = mirrored ? -1.0f : static_cast<float>(1.0 / seaWaterIndex);
+      face.level = half->level;
+      face.scale = 1.0f / scale;
       for (int k = 0; k < count; ++k) kept[k].z = half->level + scale * (kept[k].z - half->level);
       for (int k = 2; k < count; ++k) {
         add({kept[0], kept[k - 1], kept[k]}, face, projection, mirrored);
@@ -89,7 +89,8 @@ void ObjectTriangles::add(const glm::vec3 (&corners)[3], const Face& face,
   if (count == 0) return;
   const float away = glm::dot(faceNormal(corners[0], corners[1], corners[2]), corners[0]);
   const bool seenFromInside = (mirrored ? -away : away) > 0.0f;
-  faces_.push_back({seenFromInside ? -face.normal : face.normal, face.colour, face.instance});
+  faces_.push_back(face);
+  if (seenFromInside) faces_.back().normal = -face.normal;
   for (int k = 0; k < count; ++k) {
     projected[k].object = static_cast<std::uint32_t>(faces_.size());
     triangles_.push_back(projected[k]);
@@ -144,6 +145,7 @@ PixelBox ObjectTriangles::boxIn(const Strip& strip) const {
 void ObjectTriangles::fillSpan(const std::uint32_t* which, const float* inverse,
                                PixelSpan& span) const {
   span.hasObjects = false;
+  span.hasPlaces = isMoved_;
   for (int i = 0; i < span.count; ++i) {
     if (which[i] == 0) continue;
     span.hasObjects = true;
@@ -154,6 +156,8 @@ void ObjectTriangles::fillSpan(const std::uint32_t* which, const float* inverse,
       span.normal[c][i] = face.normal[c];
       span.reflectance[c][i] = face.colour[c];
     }
+    span.placeLevel[i] = face.level;
+    span.placeScale[i] = face.scale;
   }
 }
 

@@ -17,7 +17,12 @@ namespace seaway::render {
 enum class WaterSide {
   mirrored,  ///< what stands above the water, z → 2h − z
   below,     ///< what is under it, depths divided by the index of refraction
+  depths,    ///< what is under it, z → 2h − z: as the underside mirrors it
 };
+
+/// The corners of a triangle on one side of a level, those above it for `upwards` 1, below for −1;
+/// as many as four. Returns how many.
+int cutAtLevel(const glm::vec3 (&corners)[3], float level, float upwards, glm::vec3 (&out)[4]);
 
 /// Scene objects as triangles in the picture, and how each is shaded.
 class ObjectTriangles {
@@ -27,6 +32,11 @@ class ObjectTriangles {
   /// not finite stand ashore: nothing of them.
   void fill(std::span<const SceneObject> objects, const Camera& camera, WaterSide side,
             std::span<const double> levels);
+  /// What stands above the water at each object's `levels`, as an eye `depth` m > 0 under still
+  /// water sees it: each point in the direction of the ray to it that Snell's law bends there, at
+  /// the length of that ray. Straight edges are followed to a third of a pixel.
+  void fillWindow(std::span<const SceneObject> objects, const Camera& camera, double depth,
+                  std::span<const double> levels);
   void clear();
   bool empty() const { return triangles_.empty(); }
   void raster(Strip& strip) const;
@@ -55,7 +65,9 @@ class ObjectTriangles {
   struct Face {
     glm::vec3 normal, colour;
     std::uint16_t instance;
+    float level = 0.0f, scale = 1.0f;  // of PixelSpan's place
   };
+  struct Window;
   struct Half {
     WaterSide side;
     float level;  // relative to the camera, m
@@ -63,9 +75,11 @@ class ObjectTriangles {
   void add(const SceneObject& object, const Camera& camera, const Half* half);
   void add(const glm::vec3 (&corners)[3], const Face& face, const ScreenProjection& projection,
            bool mirrored);
+  void addBent(const glm::vec3 (&corners)[3], const Face& face, const Window& window, int splits);
 
   std::vector<ScreenTriangle> triangles_;
   std::vector<Face> faces_;  // of object number − 1
+  bool isMoved_ = false;     // by way of the water: not where it is
 };
 
 }  // namespace seaway::render

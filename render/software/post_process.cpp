@@ -37,19 +37,25 @@ class PostProcess final : public StripTechnique {
     };
     if (!render::placeSea(view, 1.0, place, stats)) return false;
     slopes_.fill(grid_, layout);
-    march_.fill(grid_, layout, view.camera, bound, options_.steps, cameraIsUnderWater(view));
+    march_.fill(grid_, layout, view.camera, bound, options_.steps);
     return true;
+  }
+
+  RayStart rayStart() const {
+    return waterline().isSplit()    ? RayStart::either
+           : waterline().allUnder() ? RayStart::below
+                                    : RayStart::above;
   }
 
   void rasterSea(const View&, Strip& strip) override {
     if (strip.object.empty()) {
-      march_.march(nullptr, strip);
+      march_.march(nullptr, rayStart(), strip);
       return;
     }
     Strip scene;
     scene.clear(strip.top, strip.rows, strip.width, true);
     objects().raster(scene);
-    march_.march(&scene, strip);
+    march_.march(&scene, rayStart(), strip);
   }
 
   void fillSeaSpan(const View& view, const float* inverse, int, int, bool underWater,

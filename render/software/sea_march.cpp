@@ -21,7 +21,7 @@ struct MarchInput {
   glm::vec3 forward, right, down;  // ray = forward + x right + y down, x and y in pixels
   float cameraHeight, bound, nearest, reach;
   int steps;
-  float side;  // 1 above the water, −1 below
+  float side;  // 1 above the water, −1 below, 0 where each ray begins
 };
 }  // namespace seaway::render
 #endif
@@ -92,11 +92,14 @@ HWY_INLINE Real marched(const MarchInput& in, Real3 ray, Real scene) {
   const Real begin = choose(meets, range.near, 1.0f), end = choose(meets, farthest, 2.0f);
   const Between column =
       between(min(turnOf(ray.x, ray.y) * (in.size.x - 1.0f), in.size.x - 1.0f), in.size.x);
-  const auto above = [&](Real s) HWY_ATTR {
+  const auto aboveWater = [&](Real s) HWY_ATTR {
     const Real row = clamp(ringRow(in.law, s * perMetre), 0.0f, in.size.y - 1.0f);
     const Real bare = Real(in.cameraHeight) + s * (ray.z + s * curve);
-    return (bare - heightAt(in, between(row, in.size.y), column)) * in.side;
+    return bare - heightAt(in, between(row, in.size.y), column);
   };
+  Real side(in.side);
+  if (in.side == 0.0f) side = choose(aboveWater(begin) < 0.0f, -1.0f, 1.0f);
+  const auto above = [&](Real s) HWY_ATTR { return aboveWater(s) * side; };
   const Real shrink = exp(exactLog2(begin / end) * (0.69314718f / static_cast<float>(in.steps)));
   Real s = end, height = above(end);
   Real dry(0.0f), dryHeight(0.0f), wet(0.0f), wetHeight(0.0f);
@@ -194,17 +197,16 @@ MarchInput inputFor(const Camera& camera) {
 }  // namespace
 
 void SeaMarch::fill(const SeaGrid& grid, const GridLayout& layout, const Camera& camera,
-                    double bound, int steps, bool cameraIsUnderWater) {
+                    double bound, int steps) {
   size_ = grid.size();
   law_ = *layout.rings;
   heights_ = grid.height().data();
   camera_ = camera;
   bound_ = bound;
   steps_ = steps;
-  isUnderWater_ = cameraIsUnderWater;
 }
 
-void SeaMarch::march(const Strip* scene, Strip& strip) const {
+void SeaMarch::march(const Strip* scene, RayStart start, Strip& strip) const {
   MarchInput input = inputFor(camera_);
   input.size = size_;
   input.law = law_;
@@ -213,7 +215,7 @@ void SeaMarch::march(const Strip* scene, Strip& strip) const {
   input.bound = static_cast<float>(bound_ + 1e-3 + 1e-6 * std::abs(camera_.position.z));
   input.reach = static_cast<float>(law_.radius(size_.y - 1));
   input.steps = steps_;
-  input.side = isUnderWater_ ? -1.0f : 1.0f;
+  input.side = start == RayStart::above ? 1.0f : start == RayStart::below ? -1.0f : 0.0f;
   HWY_DYNAMIC_DISPATCH(March)(input, scene, strip);
 }
 

@@ -10,6 +10,7 @@
 #include "render/edge_smoothing.h"
 #include "render/grid_placement.h"
 #include "render/pass_timer.h"
+#include "render/shown_objects.h"
 
 namespace seaway::render {
 namespace {
@@ -69,6 +70,7 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   span.firstRay = r.constants.middleRay + across * r.constants.right + upwards * r.constants.up;
   if (r.shown.water) {
     fillSeaSpan(r.view, sea, r.row, first, r.shown.cameraIsUnderWater, span);
+    waterline_.fillSpan(r.row, first, span);
   } else {
     std::fill_n(span.kind, pixelsPerSpan, ShadedAs::sky);
     std::fill_n(span.axial, pixelsPerSpan, 1.0f);
@@ -89,15 +91,22 @@ void StripTechnique::storeLabels(const ShadedRow& r, const PixelSpan& span,
   }
 }
 
-const std::uint32_t* StripTechnique::skyTexels(const ShadingConstants& constants) const {
-  return constants.skyIsOn ? sky_->texels().data() : nullptr;
+ShadingSources StripTechnique::sourcesFor(const ShadingConstants& constants) const {
+  return {constants,
+          constants.skyIsOn ? sky_->texels().data() : nullptr,
+          &local_.mirrored(),
+          &local_.below(),
+          &local_.window(),
+          &local_.depths(),
+          shadows_.texels().data(),
+          shadows_.size().x,
+          waterline_.heights().data()};
 }
 
 /// Colours of a span's pixels, and their radiance unless that is null.
 void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb,
                             glm::vec3* radiance) const {
-  const ShadingSources sources{r.constants, skyTexels(r.constants), &local_.mirrored(),
-                               &local_.below()};
+  const ShadingSources sources = sourcesFor(r.constants);
   if (!radiance) {
     shadeSpan(sources, span, rgb);
     return;
@@ -177,7 +186,9 @@ void StripTechnique::shade(const View& view, const Shown& shown, const Lighting&
                            Frame& frame) {
   isSoftened_.assign(shown.objects ? frame.classes.size() : 0, 0);
   ShadingConstants constants = shadingConstants(view, lighting);
-  local_.fill(view, shown, constants, skyTexels(constants));
+  waterline_.setConstants(constants);
+  shadows_.setConstants(constants);
+  local_.fill(view, shown, sourcesFor(constants));
   local_.setConstants(constants);
   frame.exposure = constants.exposure;
   tbb::parallel_for(0, view.camera.size.y, [&](int row) {
@@ -185,7 +196,8 @@ void StripTechnique::shade(const View& view, const Shown& shown, const Lighting&
   });
 }
 
-void StripTechnique::drawInto(const View& view, Frame& frame) {
+void StripTechnique::drawInto(const View& given, Frame& frame) {
+  const View view = withoutSwitchedOff(given, kept_);
   validatePlain(view);
   prepare(frame, view.camera.size, view.contents());
   FrameStats& stats = frame.stats;
@@ -195,13 +207,16 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
   PassTimer timer(view, stats);
   Shown shown;
   shown.water = placeSea(view, stats);
-  shown.cameraIsUnderWater = shown.water && cameraIsUnderWater(view);
+  waterline_.fill(view, shown.water);
+  shown.cameraIsUnderWater = waterline_.allUnder();
+  shown.anyUnderWater = waterline_.anyUnder();
   const auto water = shown.water ? std::optional(Effect::water) : std::nullopt;
   timer.finish("vertices", water);
-  shown.objects = decideObjects(view);
+  const std::optional<Effect> meshes = decideObjects(view);
+  shown.objects = meshes.has_value();
   if (shown.objects) {
     objects_.fill(view.objects, view.camera);
-    timer.finish("objects", Effect::vesselMeshes);
+    timer.finish("objects", meshes);
   }
   shore_.reset();
   if (const WaterOutline* outline = decideOutline(view, shown.water)) {
@@ -215,6 +230,8 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
   if (shown.water) timer.finish("water", water);
   const Lighting lighting = decideLighting(view, shown, sky_);
   if (lighting.sky) timer.finish("sky", Effect::sky);
+  shadows_.fill(view, shown, lighting);
+  if (shadows_.size().x > 0) timer.finish("shadows", Effect::shadows);
   shade(view, shown, lighting, frame);
   const auto payer = shown.water ? water : lighting.sky ? std::optional(Effect::sky) : std::nullopt;
   timer.finish("shading", payer);
@@ -225,7 +242,7 @@ void StripTechnique::drawInto(const View& view, Frame& frame) {
   if (sky_) view.effects->holdMemory(Effect::sky, sky_->memoryBytes());
   std::size_t objects = objects_.memoryBytes() + isSoftened_.capacity();
   for (const ObjectEdges& edges : edges_) objects += edges.memoryBytes();
-  if (objects > 0) view.effects->holdMemory(Effect::vesselMeshes, objects);
+  if (objects > 0) view.effects->holdMemory(meshes.value_or(Effect::vesselMeshes), objects);
 }
 
 }  // namespace seaway::render

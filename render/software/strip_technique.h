@@ -7,10 +7,12 @@
 #include "render/lighting_decision.h"
 #include "render/local_light.h"
 #include "render/render_technique.h"
+#include "render/shadow_maps.h"
 #include "render/shore.h"
 #include "render/software/object_edges.h"
 #include "render/software/object_triangles.h"
 #include "render/software/raster.h"
+#include "render/waterline.h"
 
 namespace seaway::render {
 
@@ -34,6 +36,8 @@ class StripTechnique : public RenderTechnique {
 
   /// The frame's objects, for a sea that is drawn over a scene.
   const ObjectTriangles& objects() const { return objects_; }
+  /// The frame's waterline, once the sea is placed.
+  const Waterline& waterline() const { return waterline_; }
 
  private:
   /// A row of the picture to be shaded.
@@ -45,11 +49,11 @@ class StripTechnique : public RenderTechnique {
   };
   void raster(const View& view, const Shown& shown);
   void shade(const View& view, const Shown& shown, const Lighting& lighting, Frame& frame);
+  ShadingSources sourcesFor(const ShadingConstants& constants) const;
   void shadeRow(const ShadedRow& r, Frame& frame);
   void softenObjects(const ShadedRow& r, Frame& frame);
   void fillSpan(const ShadedRow& r, int first, const float* sea, const std::uint32_t* which,
                 const float* objects, PixelSpan& span) const;
-  const std::uint32_t* skyTexels(const ShadingConstants& constants) const;
   void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb,
               glm::vec3* radiance) const;
   void storeLabels(const ShadedRow& r, const PixelSpan& span, const std::uint32_t* which,
@@ -60,6 +64,9 @@ class StripTechnique : public RenderTechnique {
   std::vector<ObjectEdges> edges_;        // of each strip
   std::vector<std::uint8_t> isSoftened_;  // of each pixel, where objects are shown
   std::optional<SkyDome> sky_;
+  std::vector<SceneObject> kept_;
+  ShadowMaps shadows_;
+  Waterline waterline_;
   LocalLight local_;
   std::optional<Shore> shore_;         // of this frame
   std::vector<PlacedHollow> hollows_;  // of this frame

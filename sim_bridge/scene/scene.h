@@ -15,6 +15,7 @@
 #include "render/render_technique.h"
 #include "sim_bridge/scene/place.h"
 #include "sim_bridge/scene/scene_events.h"
+#include "sim_bridge/scene/scenery.h"
 #include "sim_bridge/scene/sea_state_file.h"
 #include "sim_bridge/scene/vessel_model.h"
 #include "surface/effects.h"
@@ -198,6 +199,7 @@ struct Scene {
   std::filesystem::path file;
   SeaSettings sea;
   std::vector<SceneVessel> vessels;
+  std::vector<SceneryObject> scenery;
   std::vector<SceneCamera> cameras;
   std::vector<SceneSplash> splashes;
   SceneRain rain;

@@ -109,6 +109,25 @@ void resolveVessels(Scene& scene, const YamlValue& document, const Geodesy& geod
   }
 }
 
+void resolveScenery(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const YamlValue* list = document.find("scenery");
+  requireUniqueNames(list, scene.scenery);
+  SceneryMeshes meshes;
+  for (std::size_t i = 0; i < scene.scenery.size(); ++i) {
+    SceneryObject& object = scene.scenery[i];
+    const YamlValue& value = list->values[i];
+    requireInGeodesicRange(childOf(value, "place"), geodesy, object.place.latitude_deg,
+                           object.place.longitude_deg);
+    const YamlValue& key = *value.find("mesh");
+    const fs::path file = referredFile(key, scene.file);
+    try {
+      object.mesh = meshes.read(file, object.axes);
+    } catch (const InputError& fault) {
+      key.fail(fault.what());
+    }
+  }
+}
+
 void resolveOutline(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
   const YamlValue* key = document.find("sea")->find("outline");
   if (!key) return;
@@ -200,6 +219,7 @@ Scene sceneOf(const YamlValue& document, const fs::path& file) {
   resolveSeaState(scene, document);
   resolveOutline(scene, document, geodesy);
   resolveVessels(scene, document, geodesy);
+  resolveScenery(scene, document, geodesy);
   checkCameras(scene, document, geodesy);
   checkEvents(scene, document, geodesy);
   resolveLayers(scene, document, geodesy);

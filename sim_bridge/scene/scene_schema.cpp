@@ -138,6 +138,7 @@ const Mapping<Scene>& sceneSchema() {
   static const Mapping<Scene> schema({
       mapping("sea", &Scene::sea, seaSchema(), "the water and where it is", Need::required),
       list("vessels", &Scene::vessels, vesselSchema(), "what floats"),
+      list("scenery", &Scene::scenery, scenerySchema(), "meshes that are no vessels"),
       list("cameras", &Scene::cameras, cameraSchema(), "who looks"),
       list("splashes", &Scene::splashes, splashSchema(placeSchema()),
            "what falls into the water or bursts in it"),

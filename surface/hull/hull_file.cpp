@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "surface/hull/file_axes.h"
 #include "surface/input_error.h"
 
 namespace seaway {
@@ -25,20 +26,6 @@ glm::dvec3 axisFrom(const std::string& word, const char* what) {
   glm::dvec3 axis(0.0);
   axis[word[1] - 'x'] = word[0] == '+' ? 1.0 : -1.0;
   return axis;
-}
-
-/// Rows are the body frame's axes in the file's.
-glm::dmat3 bodyFromFile(const HullFileSettings& settings) {
-  const glm::dvec3 forward = axisFrom(settings.forward, "forward");
-  const glm::dvec3 up = axisFrom(settings.up, "up");
-  if (glm::dot(forward, up) != 0.0) {
-    throw InputError("forward '" + settings.forward + "' and up '" + settings.up +
-                     "' lie along the same axis");
-  }
-  if (!(settings.metresPerUnit > 0.0) || !std::isfinite(settings.metresPerUnit)) {
-    throw InputError("metres per unit must be > 0");
-  }
-  return settings.metresPerUnit * glm::transpose(glm::dmat3(forward, glm::cross(up, forward), up));
 }
 
 const aiScene* read(Assimp::Importer& importer, const std::filesystem::path& file) {
@@ -114,6 +101,19 @@ const char* formatOf(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+glm::dmat3 bodyFromFile(const HullFileSettings& settings) {
+  const glm::dvec3 forward = axisFrom(settings.forward, "forward");
+  const glm::dvec3 up = axisFrom(settings.up, "up");
+  if (glm::dot(forward, up) != 0.0) {
+    throw InputError("forward '" + settings.forward + "' and up '" + settings.up +
+                     "' lie along the same axis");
+  }
+  if (!(settings.metresPerUnit > 0.0) || !std::isfinite(settings.metresPerUnit)) {
+    throw InputError("metres per unit must be > 0");
+  }
+  return settings.metresPerUnit * glm::transpose(glm::dmat3(forward, glm::cross(up, forward), up));
+}
 
 TriangleMesh readHullFile(const std::filesystem::path& file, const HullFileSettings& settings) {
   const glm::dmat3 toBody = bodyFromFile(settings);
