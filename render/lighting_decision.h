@@ -10,7 +10,7 @@ namespace seaway::render {
 
 /// What of a scene a frame shows.
 struct Shown {
-  bool water = false, objects = false, cameraIsUnderWater = false;
+  bool water = false, objects = false, terrain = false, cameraIsUnderWater = false;
 };
 
 /// Decides on sun and sky with the view's ledger; makes and draws `sky` where it is called for.

@@ -46,37 +46,86 @@ void hold(const View& view, Effect effect, const LocalImage& image) {
 }  // namespace
 
 void LocalLight::fill(const View& view, const Shown& shown, const ShadingConstants& constants,
-                      const std::uint32_t* skyTexels) {
+                      const std::uint32_t* skyTexels, const TerrainInView& terrain) {
   mirrored_.size = below_.size = {0, 0};
-  const bool mayShow = shown.water && !shown.cameraIsUnderWater && !view.objects.empty();
+  const bool mayShow = shown.water && !shown.cameraIsUnderWater &&
+                       (!view.objects.empty() || terrain.isShown());
+  shoreHardness_ = 0.0f;
   std::vector<double> levels;
   if (mayShow) levels = levelsAt(view);
   const auto decide = [&](Effect effect, WaterSide side, const char* yes, LocalImage& image) {
     triangles_.clear();
-    if (mayShow) triangles_.fill(view.objects, view.camera, side, levels);
-    const bool called = !triangles_.empty();
+    ground_.clear();
+    if (mayShow) {
+      triangles_.fill(view.objects, view.camera, side, levels);
+      terrain.fill(view.camera,
+                   side == WaterSide::below ? TerrainSide::below : TerrainSide::mirrored,
+                   constants.waterExtinction.z, ground_);
+    }
+    const bool called = !triangles_.empty() || !ground_.empty();
     const char* no = !shown.water               ? "no water in the picture"
                      : shown.cameraIsUnderWater ? "the camera is under water"
-                     : view.objects.empty()     ? "there is nothing but water"
-                                                : "no vessel is near enough to show";
+                     : !mayShow                 ? "there is nothing but water"
+                                                : "nothing is near enough to show";
     if (!view.effects->decide(effect, called, called ? yes : no) || !called) {
       image = {};
       return;
     }
-    draw(triangles_, view.camera.size, constants, skyTexels, image);
-    if (side == WaterSide::mirrored) std::tie(nearest_, farthest_) = triangles_.axialRange();
+    draw({view.camera, terrain, side}, constants, skyTexels, image);
+    if (side == WaterSide::mirrored) {
+      const auto objects = triangles_.axialRange(), land = ground_.axialRange();
+      nearest_ = std::min(objects.first, land.first);
+      farthest_ = std::max(objects.second, land.second);
+    } else if (!ground_.empty()) {
+      shoreHardness_ = static_cast<float>(terrain.map().look().shoreHardness);
+    }
     hold(view, effect, image);
   };
-  decide(Effect::reflection, WaterSide::mirrored, "water mirrors a vessel", mirrored_);
+  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it", mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
-  decide(Effect::refraction, WaterSide::below, "a vessel's wet part is in view", below_);
+  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view", below_);
   if (!mayShow) triangles_ = {};
+  if (!terrain.isShown()) ground_ = {};
 }
 
-void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
-                      const ShadingConstants& constants, const std::uint32_t* skyTexels,
-                      LocalImage& image) const {
-  const PixelBox box = triangles.boxIn(picture);
+/// Makes a span of a row of the two strips ready to be shaded: the nearer of objects and ground.
+void LocalLight::fillSpan(const Drawn& drawn, const Strip& objects, const Strip& ground, int line,
+                          int first, const ShadingConstants& constants, PixelSpan& span) const {
+  const std::size_t at = static_cast<std::size_t>(line) * objects.stride + first;
+  const float* inverse = objects.inverse.data() + at;
+  std::fill_n(span.kind, pixelsPerSpan, ShadedAs::ground);
+  std::fill_n(span.axial, pixelsPerSpan, 1.0f);
+  triangles_.fillSpan(objects.object.data() + at, inverse, span);
+  span.firstRay = constants.forward;
+  span.rayStep = glm::vec3(0.0f);
+  if (ground_.empty()) return;
+  for (int i = 0; i < span.count; ++i) {
+    if (inverse[i] == 0.0f) span.kind[i] = ShadedAs::sky;
+  }
+  const glm::vec2 perPixel = 2.0f / glm::vec2(drawn.camera.size);
+  const float upwards = 1.0f - (static_cast<float>(objects.top + line) + 0.5f) * perPixel.y;
+  const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
+  span.firstRay += across * constants.right + upwards * constants.up;
+  span.rayStep = constants.right * perPixel.x;
+  const bool mirrored = drawn.side == WaterSide::mirrored;
+  drawn.terrain.fillSpan(drawn.camera, ground.inverse.data() + at,
+                         mirrored ? TerrainSide::mirrored : TerrainSide::below, span);
+  // Lit as from anywhere: without haze and water between, it does not matter from where.
+  span.firstRay = constants.forward;
+  span.rayStep = glm::vec3(0.0f);
+  for (int i = 0; i < span.count; ++i) {
+    if (span.kind[i] == ShadedAs::sky) span.kind[i] = ShadedAs::ground;
+  }
+}
+
+void LocalLight::draw(const Drawn& drawn, const ShadingConstants& constants,
+                      const std::uint32_t* skyTexels, LocalImage& image) const {
+  const glm::ivec2 picture = drawn.camera.size;
+  const PixelBox ofObjects = triangles_.boxIn(picture), ofGround = ground_.boxIn(picture);
+  PixelBox box = ground_.empty() ? ofObjects : ofGround;
+  if (!ground_.empty() && !triangles_.empty()) {
+    box = {glm::min(ofObjects.least, ofGround.least), glm::max(ofObjects.end, ofGround.end)};
+  }
   image.least = box.least;
   image.size = box.end - box.least;
   image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
@@ -84,29 +133,30 @@ void LocalLight::draw(const ObjectTriangles& triangles, glm::ivec2 picture,
   lit.airExtinction = 0.0f;
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
-    Strip strip;
+    Strip strip, ground;
     const int top = box.least.y + piece * rowsPerPiece;
     strip.clear(top, std::min(rowsPerPiece, box.end.y - top), picture.x, true);
-    triangles.raster(strip);
+    triangles_.raster(strip);
+    if (!ground_.empty()) {
+      ground.clear(top, strip.rows, picture.x, false);
+      ground_.raster(ground);
+    }
     PixelSpan span;
     glm::vec4 radiance[pixelsPerSpan + 16];
     for (int line = 0; line < strip.rows; ++line) {
       const std::size_t row = static_cast<std::size_t>(line) * strip.stride;
       for (int first = box.least.x; first < box.end.x; first += pixelsPerSpan) {
         span.count = std::min(pixelsPerSpan, box.end.x - first);
-        std::fill_n(span.kind, pixelsPerSpan, ShadedAs::ground);
-        std::fill_n(span.axial, pixelsPerSpan, 1.0f);
+        fillSpan(drawn, strip, ground, line, first, lit, span);
         const float* inverse = strip.inverse.data() + row + first;
-        triangles.fillSpan(strip.object.data() + row + first, inverse, span);
-        span.firstRay = lit.forward;
-        span.rayStep = glm::vec3(0.0f);
+        const float* land = ground_.empty() ? inverse : ground.inverse.data() + row + first;
         if (span.hasObjects) shadeSpan(ShadingSources{lit, skyTexels}, span, radiance);
         glm::vec4* to =
             &image.texels[static_cast<std::size_t>(top + line - box.least.y) * image.size.x +
                           (first - box.least.x)];
         for (int i = 0; i < span.count; ++i) {
-          to[i] =
-              inverse[i] > 0.0f ? glm::vec4(glm::vec3(radiance[i]), inverse[i]) : glm::vec4(0.0f);
+          const float nearer = std::max(inverse[i], land[i]);
+          to[i] = nearer > 0.0f ? glm::vec4(glm::vec3(radiance[i]), nearer) : glm::vec4(0.0f);
         }
       }
     }
@@ -120,6 +170,7 @@ void LocalLight::setConstants(ShadingConstants& constants) const {
   constants.mirrorSize = glm::vec2(mirrored_.size);
   constants.belowLeast = glm::vec2(below_.least);
   constants.belowSize = glm::vec2(below_.size);
+  constants.shoreHardness = below_.empty() ? 0.0f : shoreHardness_;
   constants.mirrorNearest = 0.99f * nearest_;
   constants.mirrorFarthest = 1.01f * farthest_;
 }

@@ -5,6 +5,7 @@
 #include "render/lighting_decision.h"
 #include "render/local_image.h"
 #include "render/software/object_triangles.h"
+#include "render/terrain/terrain_in_view.h"
 
 namespace seaway::render {
 
@@ -21,7 +22,7 @@ class LocalLight {
   /// Decides on both with the view's ledger, and draws what is called for; else holds nothing.
   /// `constants` are the frame's, without those that this sets. Needs no OpenGL.
   void fill(const View& view, const Shown& shown, const ShadingConstants& constants,
-            const std::uint32_t* skyTexels);
+            const std::uint32_t* skyTexels, const TerrainInView& terrain);
 
   const LocalImage& mirrored() const { return mirrored_; }
   const LocalImage& below() const { return below_; }
@@ -29,10 +30,20 @@ class LocalLight {
   void setConstants(ShadingConstants& constants) const;
 
  private:
-  void draw(const ObjectTriangles& triangles, glm::ivec2 picture, const ShadingConstants& constants,
-            const std::uint32_t* skyTexels, LocalImage& image) const;
+  /// One picture: what is in it, and from which side.
+  struct Drawn {
+    const Camera& camera;
+    const TerrainInView& terrain;
+    WaterSide side;
+  };
+  void draw(const Drawn& drawn, const ShadingConstants& constants, const std::uint32_t* skyTexels,
+            LocalImage& image) const;
+  void fillSpan(const Drawn& drawn, const Strip& objects, const Strip& ground, int line, int first,
+                const ShadingConstants& constants, PixelSpan& span) const;
 
   ObjectTriangles triangles_;
+  TerrainInView::Triangles ground_;
+  float shoreHardness_ = 0.0f;  // 1/m; 0: no bed is shown
   LocalImage mirrored_, below_;
   float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
 };

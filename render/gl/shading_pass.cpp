@@ -75,6 +75,7 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("belowSize", c.belowSize);
   program.set("mirrorNearest", c.mirrorNearest);
   program.set("mirrorFarthest", c.mirrorFarthest);
+  program.set("shoreHardness", c.shoreHardness);
 }
 
 void setFoamAndRain(const GlProgram& program, const ShadingConstants& c) {

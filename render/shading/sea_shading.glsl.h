@@ -153,6 +153,20 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
   return water - water * clear * (part * shown) + light * clear * lit * shown;
 }
 
+// Where water begins, what lies under it shows unrefracted: blended in by depth times hardness
+// (Toman, "Shore softness"). The bed there is as wet as the pictures of LocalLight make it.
+SHADER Real3 withSoftShore(Real3 relative, Real distance, Real3 toViewer, Real3 water) {
+  Real axial = dot(relative, Real3(forward));
+  Real2 pixel = pixelOf(relative, axial);
+  Real nearness = belowNearness(pixel);
+  Real beyond = (1.0f / max(nearness, 1e-6f) - axial) * distance / axial;
+  Real depth = 1.34f * max(beyond, 0.0f) * max(toViewer.z, 0.02f);
+  Real part = Real(0.0f);
+  Real3 bed = belowLight(pixel, part);
+  Real shown = choose(nearness > 0.0f, clamp(depth * shoreHardness, 0.0f, 1.0f), Real(1.0f));
+  return mix(bed / max(part, 1e-3f), water, choose(part > 0.01f, shown, Real(1.0f)));
+}
+
 // Unpolarised reflectance; 1 where all is reflected.
 SHADER Real fresnel(Real cosine, float index) {
   Real sineSquared = (1.0f - cosine * cosine) / (index * index);
@@ -349,6 +363,7 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
     colour = mix(colour, Real3(foamSky) + Real3(foamSun) * lit,
                  foamOpacity(relative, footprint, white));
   }
+  if (shoreHardness > 0.0f) colour = withSoftShore(relative, distance, toViewer, colour);
   return hazed(colour, -toViewer, distance);
 }
 

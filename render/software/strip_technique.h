@@ -11,6 +11,7 @@
 #include "render/software/object_edges.h"
 #include "render/software/object_triangles.h"
 #include "render/software/raster.h"
+#include "render/terrain/terrain_in_view.h"
 
 namespace seaway::render {
 
@@ -49,6 +50,7 @@ class StripTechnique : public RenderTechnique {
   void softenObjects(const ShadedRow& r, Frame& frame);
   void fillSpan(const ShadedRow& r, int first, const float* sea, const std::uint32_t* which,
                 const float* objects, PixelSpan& span) const;
+  void prepareTerrain(const View& view, Shown& shown);
   const std::uint32_t* skyTexels(const ShadingConstants& constants) const;
   void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const;
 
@@ -59,6 +61,9 @@ class StripTechnique : public RenderTechnique {
   std::optional<SkyDome> sky_;
   LocalLight local_;
   std::optional<Shore> shore_;         // of this frame
+  TerrainInView terrain_;
+  TerrainInView::Triangles ground_;  // of this frame
+  std::vector<Strip> groundStrips_;  // empty where no ground is shown
   std::vector<PlacedHollow> hollows_;  // of this frame
 };
 

@@ -13,6 +13,7 @@
 
 #include "sim_bridge/scene/place.h"
 #include "sim_bridge/scene/scene_events.h"
+#include "sim_bridge/scene/scene_terrain.h"
 #include "sim_bridge/scene/sea_state_file.h"
 #include "sim_bridge/scene/vessel_model.h"
 #include "surface/effects.h"
@@ -174,6 +175,7 @@ struct Scene {
   SceneRain rain;
   std::vector<SceneRipples> ripples;
   std::vector<SceneLayer> layers;
+  SceneTerrain terrain;
   LightSettings light;
   EffectSettings effects{};
   Accuracy accuracy;

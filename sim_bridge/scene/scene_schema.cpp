@@ -189,6 +189,8 @@ const Mapping<Scene>& sceneSchema() {
       mapping("rain", &Scene::rain, rainSchema(), "rings of raindrops; without it none falls"),
       list("ripples", &Scene::ripples, ripplesSchema(placeSchema()), "what bobs in the water"),
       list("layers", &Scene::layers, layerSchema(placeSchema()), "what lies on the water"),
+      mapping("terrain", &Scene::terrain, terrainSchema(placeSchema()),
+              "islands, shores and sea bed; without it the bed is at sea.depth_m"),
       mapping("light", &Scene::light, lightSchema(), "sun and wind"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),
