@@ -76,6 +76,7 @@ void LocalLight::fill(const View& view, const Shown& shown, const ShadingConstan
       const auto objects = triangles_.axialRange(), land = ground_.axialRange();
       nearest_ = std::min(objects.first, land.first);
       farthest_ = std::max(objects.second, land.second);
+      mirrorBend_ = ground_.empty() ? 0.0f : 1.0f;
     } else if (!ground_.empty()) {
       shoreHardness_ = static_cast<float>(terrain.map().look().shoreHardness);
     }
@@ -171,6 +172,7 @@ void LocalLight::setConstants(ShadingConstants& constants) const {
   constants.belowLeast = glm::vec2(below_.least);
   constants.belowSize = glm::vec2(below_.size);
   constants.shoreHardness = below_.empty() ? 0.0f : shoreHardness_;
+  constants.mirrorBend = mirrorBend_;
   constants.mirrorNearest = 0.99f * nearest_;
   constants.mirrorFarthest = 1.01f * farthest_;
 }

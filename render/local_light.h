@@ -44,6 +44,7 @@ class LocalLight {
   ObjectTriangles triangles_;
   TerrainInView::Triangles ground_;
   float shoreHardness_ = 0.0f;  // 1/m; 0: no bed is shown
+  float mirrorBend_ = 0.0f;
   LocalImage mirrored_, below_;
   float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
 };

@@ -75,6 +75,7 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("belowSize", c.belowSize);
   program.set("mirrorNearest", c.mirrorNearest);
   program.set("mirrorFarthest", c.mirrorFarthest);
+  program.set("mirrorBend", c.mirrorBend);
   program.set("shoreHardness", c.shoreHardness);
 }
 

@@ -26,7 +26,7 @@ uniform vec3 pixelRight, pixelDown;
 uniform vec2 pixelMiddle;
 uniform bool mirrorIsOn, belowIsOn;
 uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
-uniform float mirrorNearest, mirrorFarthest, shoreHardness;
+uniform float mirrorNearest, mirrorFarthest, mirrorBend, shoreHardness;
 const int mirrorSteps = 6;
 
 uniform bool foamIsOn, rainIsOn;

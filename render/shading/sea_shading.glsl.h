@@ -64,12 +64,14 @@ SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
   Real open = Real(1.0f);
   Real here = dot(relative, Real3(forward));
   Real surface = 1.0f / max(here, 1e-3f);
-  // Even steps through the distances between which there are objects.
+  // Steps through the distances between which there are objects: even ones, or where land is among
+  // them ones that grow, for both what is near and what is far.
   Real perMetre = 1.0f / max(dot(onwards, Real3(forward)), 0.02f);
   Real first = max((mirrorNearest - here) * perMetre, 0.0f);
   Real step = max((mirrorFarthest - here) * perMetre - first, 0.0f) * (1.0f / float(mirrorSteps));
   for (int i = 1; i <= mirrorSteps; ++i) {
-    Real3 place = relative + onwards * (first + step * float(i));
+    float slow = 1.0f - mirrorBend * (1.0f - float(i) / float(mirrorSteps));
+    Real3 place = relative + onwards * (first + step * (float(i) * slow * slow));
     Real axial = max(dot(place, Real3(forward)), 1e-3f);
     Real2 pixel = pixelOf(place, axial);
     Real nearness = mirrorNearness(pixel);
@@ -137,6 +139,11 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
                 Real3(slope.x * shift, slope.y * shift, Real(0.0f));
   Real placeAxial = max(dot(place, Real3(forward)), 1e-3f);
   Real2 pixel = pixelOf(place, placeAxial);
+  // A bed goes on beyond the picture.
+  if (shoreHardness > 0.0f) {
+    pixel = Real2(clamp(pixel.x, belowLeast.x, belowLeast.x + belowSize.x - 1.0f),
+                  clamp(pixel.y, belowLeast.y, belowLeast.y + belowSize.y - 1.0f));
+  }
   Real there = belowNearness(pixel);
   Real depth = (1.0f / max(there, 1e-6f) - axial) * perAxial * max(toViewer.z, 0.05f) * 1.34f;
   Real part = Real(0.0f);
