@@ -110,7 +110,7 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
   if (lighting.rainIsOn) view.effects->chargeInside(Effect::rain, Effect::water);
   const bool sunIsUp = lighting.sunDirection.z > -0.01f;  // its disc is half a degree wide
   const bool skyIsSeen = shown.water || seesAboveHorizon(view.camera);
-  const bool sunIsSeen = sunIsUp && (skyIsSeen || shown.objects);
+  const bool sunIsSeen = sunIsUp && (skyIsSeen || shown.objects || shown.terrain);
   lighting.sunIsOn = view.effects->decide(Effect::sun, sunIsSeen,
                                           sunIsSeen ? "the sun is up"
                                           : sunIsUp ? "nothing that it lights is in view"

@@ -10,7 +10,7 @@ namespace seaway::render {
 
 /// What of a scene a frame shows.
 struct Shown {
-  bool water = false, objects = false;
+  bool water = false, objects = false, terrain = false;
   bool cameraIsUnderWater = false;  ///< in all pixels
   bool anyUnderWater = false;       ///< in some
 };

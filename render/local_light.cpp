@@ -49,44 +49,63 @@ void setRays(const ShadingConstants& c, glm::ivec2 picture, glm::ivec2 first, Pi
   const float upwards = 1.0f - (static_cast<float>(first.y) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first.x) + 0.5f) * perPixel.x - 1.0f;
   span.rayStep = c.right * perPixel.x;
-  span.firstRay = c.forward + across * c.right + upwards * c.up;
+  span.firstRay = c.middleRay + across * c.right + upwards * c.up;
 }
 
 }  // namespace
 
-void LocalLight::fill(const View& view, const Shown& shown, const ShadingSources& sources) {
-  fillAbove(view, shown, sources);
-  fillUnder(view, shown, sources);
+void LocalLight::fill(const View& view, const Shown& shown, const ShadingSources& sources,
+                      const TerrainInView& terrain) {
+  fillAbove(view, shown, sources, terrain);
+  fillUnder(view, shown, sources, terrain);
 }
 
-void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSources& sources) {
+void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSources& sources,
+                           const TerrainInView& terrain) {
   mirrored_.size = below_.size = {0, 0};
-  const bool mayShow = shown.water && !shown.cameraIsUnderWater && !view.objects.empty();
+  const bool mayShow = shown.water && !shown.cameraIsUnderWater &&
+                       (!view.objects.empty() || terrain.isShown());
+  shoreHardness_ = 0.0f;
   std::vector<double> levels;
   if (mayShow) levels = levelsAt(view);
   const auto decide = [&](Effect effect, WaterSide side, const char* yes, LocalImage& image) {
     triangles_.clear();
-    if (mayShow) triangles_.fill(view.objects, view.camera, side, levels);
-    const bool called = !triangles_.empty();
+    ground_.clear();
+    if (mayShow) {
+      triangles_.fill(view.objects, view.camera, side, levels);
+      terrain.fill(view.camera,
+                   side == WaterSide::below ? TerrainSide::below : TerrainSide::mirrored,
+                   sources.constants.waterExtinction.z, ground_);
+    }
+    const bool called = !triangles_.empty() || !ground_.empty();
     const char* no = !shown.water               ? "no water in the picture"
                      : shown.cameraIsUnderWater ? "the camera is under water"
-                     : view.objects.empty()     ? "there is nothing but water"
+                     : !mayShow                 ? "there is nothing but water"
                                                 : "nothing is near enough to show";
     if (!view.effects->decide(effect, called, called ? yes : no) || !called) {
       image = {};
       return;
     }
-    draw(view.camera.size, sources, image);
-    if (side == WaterSide::mirrored) std::tie(nearest_, farthest_) = triangles_.axialRange();
+    draw({view.camera, terrain, side}, sources, image);
+    if (side == WaterSide::mirrored) {
+      const auto objects = triangles_.axialRange(), land = ground_.axialRange();
+      nearest_ = std::min(objects.first, land.first);
+      farthest_ = std::max(objects.second, land.second);
+      mirrorBend_ = ground_.empty() ? 0.0f : 1.0f;
+    } else if (!ground_.empty()) {
+      shoreHardness_ = static_cast<float>(terrain.map().look().shoreHardness);
+    }
     hold(view, effect, image);
   };
-  decide(Effect::reflection, WaterSide::mirrored, "water mirrors something", mirrored_);
+  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it", mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
-  decide(Effect::refraction, WaterSide::below, "something's wet part is in view", below_);
+  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view", below_);
   if (!mayShow) triangles_ = {};
+  if (!terrain.isShown()) ground_ = {};
 }
 
-void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSources& sources) {
+void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSources& sources,
+                           const TerrainInView& terrain) {
   const bool shows = shown.water && shown.anyUnderWater && !view.objects.empty() &&
                      !view.effects->isOff(Effect::underWater);
   if (!shows) {
@@ -104,10 +123,11 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
     image.size = {0, 0};
     if (triangles_.empty()) return;
     ShadingSources with = sources;
-    draw(view.camera.size,
+    draw({view.camera, terrain, WaterSide::depths},
          {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
          image);
   };
+  ground_.clear();
   triangles_.fillWindow(view.objects, view.camera, depth, levels);
   fill(unshadowed, window_);
   forgetFar(view, farthestBelow, levels);
@@ -118,8 +138,35 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   view.effects->holdMemory(Effect::underWater, texels * sizeof(glm::vec4));
 }
 
-void LocalLight::draw(glm::ivec2 picture, const ShadingSources& sources, LocalImage& image) const {
-  const PixelBox box = triangles_.boxIn(picture);
+/// Makes a span of a row of the two strips ready to be shaded: the nearer of objects and ground.
+void LocalLight::fillSpan(const Drawn& drawn, const Strip& objects, const Strip& ground, int line,
+                          int first, const ShadingConstants& constants, PixelSpan& span) const {
+  const std::size_t at = static_cast<std::size_t>(line) * objects.stride + first;
+  const float* inverse = objects.inverse.data() + at;
+  std::fill_n(span.kind, pixelsPerSpan, ShadedAs::ground);
+  std::fill_n(span.axial, pixelsPerSpan, 1.0f);
+  triangles_.fillSpan(objects.object.data() + at, inverse, span);
+  setRays(constants, drawn.camera.size, {first, objects.top + line}, span);
+  if (ground_.empty()) return;
+  for (int i = 0; i < span.count; ++i) {
+    if (inverse[i] == 0.0f) span.kind[i] = ShadedAs::sky;
+  }
+  const bool mirrored = drawn.side == WaterSide::mirrored;
+  drawn.terrain.fillSpan(drawn.camera, ground.inverse.data() + at,
+                         mirrored ? TerrainSide::mirrored : TerrainSide::below, span);
+  for (int i = 0; i < span.count; ++i) {
+    if (span.kind[i] == ShadedAs::sky) span.kind[i] = ShadedAs::ground;
+  }
+}
+
+void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
+                      LocalImage& image) const {
+  const glm::ivec2 picture = drawn.camera.size;
+  const PixelBox ofObjects = triangles_.boxIn(picture), ofGround = ground_.boxIn(picture);
+  PixelBox box = ground_.empty() ? ofObjects : ofGround;
+  if (!ground_.empty() && !triangles_.empty()) {
+    box = {glm::min(ofObjects.least, ofGround.least), glm::max(ofObjects.end, ofGround.end)};
+  }
   image.least = box.least;
   image.size = box.end - box.least;
   image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
@@ -131,28 +178,30 @@ void LocalLight::draw(glm::ivec2 picture, const ShadingSources& sources, LocalIm
                              nullptr, nullptr,     sources.shadows, sources.shadowWidth};
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
-    Strip strip;
+    Strip strip, ground;
     const int top = box.least.y + piece * rowsPerPiece;
     strip.clear(top, std::min(rowsPerPiece, box.end.y - top), picture.x, true);
     triangles_.raster(strip);
+    if (!ground_.empty()) {
+      ground.clear(top, strip.rows, picture.x, false);
+      ground_.raster(ground);
+    }
     PixelSpan span;
     glm::vec4 radiance[pixelsPerSpan + 16];
     for (int line = 0; line < strip.rows; ++line) {
       const std::size_t row = static_cast<std::size_t>(line) * strip.stride;
       for (int first = box.least.x; first < box.end.x; first += pixelsPerSpan) {
         span.count = std::min(pixelsPerSpan, box.end.x - first);
-        std::fill_n(span.kind, pixelsPerSpan, ShadedAs::ground);
-        std::fill_n(span.axial, pixelsPerSpan, 1.0f);
+        fillSpan(drawn, strip, ground, line, first, lit, span);
         const float* inverse = strip.inverse.data() + row + first;
-        triangles_.fillSpan(strip.object.data() + row + first, inverse, span);
-        setRays(lit, picture, {first, top + line}, span);
+        const float* land = ground_.empty() ? inverse : ground.inverse.data() + row + first;
         if (span.hasObjects) shadeSpan(light, span, radiance);
         glm::vec4* to =
             &image.texels[static_cast<std::size_t>(top + line - box.least.y) * image.size.x +
                           (first - box.least.x)];
         for (int i = 0; i < span.count; ++i) {
-          to[i] =
-              inverse[i] > 0.0f ? glm::vec4(glm::vec3(radiance[i]), inverse[i]) : glm::vec4(0.0f);
+          const float nearer = std::max(inverse[i], land[i]);
+          to[i] = nearer > 0.0f ? glm::vec4(glm::vec3(radiance[i]), nearer) : glm::vec4(0.0f);
         }
       }
     }
@@ -175,6 +224,8 @@ void LocalLight::setConstants(ShadingConstants& constants) const {
   // Between steps a ray passes a twentieth of its way over the picture at most, on slopes of 0.15.
   const float part = farthest_ > 0.0f ? 1.0f - nearest_ / farthest_ : 0.0f;
   constants.mirrorSteps = std::clamp(static_cast<int>(std::ceil(10.0f * part)), 2, 6);
+  constants.shoreHardness = below_.empty() ? 0.0f : shoreHardness_;
+  constants.mirrorBend = mirrorBend_;
   constants.mirrorNearest = 0.99f * nearest_;
   constants.mirrorFarthest = 1.01f * farthest_;
 }

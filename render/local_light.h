@@ -5,6 +5,7 @@
 #include "render/lighting_decision.h"
 #include "render/local_image.h"
 #include "render/software/object_triangles.h"
+#include "render/terrain/terrain_in_view.h"
 
 namespace seaway::render {
 
@@ -23,7 +24,8 @@ class LocalLight {
  public:
   /// Decides on them with the view's ledger, and draws what is called for; else holds nothing.
   /// `sources` are the frame's, without what this makes. Needs no OpenGL.
-  void fill(const View& view, const Shown& shown, const ShadingSources& sources);
+  void fill(const View& view, const Shown& shown, const ShadingSources& sources,
+            const TerrainInView& terrain);
 
   const LocalImage& mirrored() const { return mirrored_; }
   const LocalImage& below() const { return below_; }
@@ -33,11 +35,24 @@ class LocalLight {
   void setConstants(ShadingConstants& constants) const;
 
  private:
-  void fillAbove(const View& view, const Shown& shown, const ShadingSources& sources);
-  void fillUnder(const View& view, const Shown& shown, const ShadingSources& sources);
-  void draw(glm::ivec2 picture, const ShadingSources& sources, LocalImage& image) const;
+  /// One picture: what is in it, and from which side.
+  struct Drawn {
+    const Camera& camera;
+    const TerrainInView& terrain;
+    WaterSide side;
+  };
+  void fillAbove(const View& view, const Shown& shown, const ShadingSources& sources,
+                 const TerrainInView& terrain);
+  void fillUnder(const View& view, const Shown& shown, const ShadingSources& sources,
+                 const TerrainInView& terrain);
+  void draw(const Drawn& drawn, const ShadingSources& sources, LocalImage& image) const;
+  void fillSpan(const Drawn& drawn, const Strip& objects, const Strip& ground, int line, int first,
+                const ShadingConstants& constants, PixelSpan& span) const;
 
   ObjectTriangles triangles_;
+  TerrainInView::Triangles ground_;
+  float shoreHardness_ = 0.0f;  // 1/m; 0: no bed is shown
+  float mirrorBend_ = 0.0f;
   LocalImage mirrored_, below_, window_, depths_;
   float nearest_ = 0.0f, farthest_ = 0.0f;  // axial distances of what is mirrored, m
 };

@@ -10,6 +10,7 @@
 #include "render/gl/object_pass.h"
 #include "render/gl/sea_geometry_pass.h"
 #include "render/gl/shading_pass.h"
+#include "render/gl/terrain_pass.h"
 #include "render/gl/waterline_pass.h"
 #include "render/grid_placement.h"
 #include "render/headless_context.h"
@@ -58,6 +59,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   void prepareTargets(const Camera& camera);
   Shown drawGeometry(const View& view, FrameStats& stats);
   void keepTo(const WaterOutline& outline, const View& view) const;
+  void drawTerrain(const View& view, const glm::mat4& clipFromRelativeWorld, Shown& shown,
+                   FrameStats& stats);
   void drawBoundaries(const View& view, const Shown& shown, FrameStats& stats);
   void shade(const View& view, const Shown& shown, FrameStats& stats);
   void drawLight(const View& view, const Shown& shown, const Lighting& lighting,
@@ -76,6 +79,8 @@ class ProjectedGridTechnique final : public RenderTechnique {
   std::unique_ptr<SeaGeometryPass> sea_;
   std::optional<ObjectPass> objects_;
   std::optional<GroundPass> ground_;
+  TerrainInView terrain_;
+  std::optional<TerrainPass> terrainPass_;
   std::optional<HullMaskPass> hullMask_;
   bool groundIsShown_ = false;
   std::optional<SkyDome> sky_;
@@ -147,6 +152,7 @@ Shown ProjectedGridTechnique::drawGeometry(const View& view, FrameStats& stats) 
     });
   }
   drawBoundaries(view, shown, stats);
+  drawTerrain(view, clipFromRelativeWorld, shown, stats);
   meshes_ = decideObjects(view);
   shown.objects = meshes_.has_value();
   if (shown.objects) {
@@ -186,6 +192,22 @@ void ProjectedGridTechnique::drawBoundaries(const View& view, const Shown& shown
   }
 }
 
+void ProjectedGridTechnique::drawTerrain(const View& view, const glm::mat4& clipFromRelativeWorld,
+                                         Shown& shown, FrameStats& stats) {
+  const Clock::time_point start = Clock::now();
+  terrain_.prepare(view, shown);
+  shown.terrain = terrain_.isShown();
+  if (!shown.terrain) {
+    terrainPass_.reset();
+    return;
+  }
+  view.effects->charge(Effect::terrain, 1e3 * millisecondsSince(start));
+  timed(view, stats, "terrain", Effect::terrain, [&] {
+    if (!terrainPass_) terrainPass_.emplace();
+    terrainPass_->draw(terrain_, view.camera, clipFromRelativeWorld);
+  });
+}
+
 void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameStats& stats) {
   glBindVertexArray(noVertices_);
   Lighting lighting;
@@ -201,7 +223,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   drawLight(view, shown, lighting, input.constants, stats);
   constants_ = input.constants;
   input.waterIsOn = shown.water;
-  input.objectsAreOn = shown.objects || groundIsShown_;
+  input.objectsAreOn = shown.objects || groundIsShown_ || shown.terrain;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
   std::optional<Effect> payer;
   if (shown.water || lighting.sky) payer = shown.water ? Effect::water : Effect::sky;
@@ -235,7 +257,8 @@ void ProjectedGridTechnique::drawLight(const View& view, const Shown& shown,
   shadows_.setConstants(constants);
   local_.fill(view, shown,
               {constants, lighting.sky ? lighting.sky->texels().data() : nullptr, nullptr, nullptr,
-               nullptr, nullptr, shadows_.texels().data(), shadows_.size().x});
+               nullptr, nullptr, shadows_.texels().data(), shadows_.size().x},
+              terrain_);
   local_.setConstants(constants);
 }
 
@@ -251,6 +274,9 @@ void ProjectedGridTechnique::holdMemory(EffectLedger& effects) const {
   if (water > 0) effects.holdMemory(Effect::water, water);
   if (sky > 0) effects.holdMemory(Effect::sky, sky);
   if (ground_) effects.holdMemory(Effect::outline, ground_->memoryBytes());
+  if (terrainPass_) {
+    effects.holdMemory(Effect::terrain, terrain_.memoryBytes() + terrainPass_->memoryBytes());
+  }
   if (objects_) effects.holdMemory(meshes_.value_or(Effect::vesselMeshes), objects_->memoryBytes());
 }
 
@@ -260,7 +286,7 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
     return;
   }
   timed(view, frame.stats, "readback", std::nullopt, [&] {
-    readBack(*targets_, groundIsShown_, frame);
+    readBack(*targets_, groundIsShown_ || terrain_.isShown(), frame);
     readContents(*targets_, view.objects, constants_, frame);
   });
   frame.exposure = constants_.exposure;

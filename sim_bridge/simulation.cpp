@@ -163,6 +163,7 @@ void Simulation::sampleSurface(double t) {
     disturbances->addTo(std::span(points_).subspan(first, water.size()), t, water, options);
   });
   if (const WaterOutline* outline = sea_->surface.outline()) outline->markDry(points_, samples_);
+  if (const TerrainMap* terrain = sea_->surface.terrain()) terrain->markDry(points_, samples_);
 }
 
 void Simulation::attend(Audience audience, EffectLedger* ledger) {
@@ -172,12 +173,19 @@ void Simulation::attend(Audience audience, EffectLedger* ledger) {
 }
 
 void Simulation::requireAfloat(double t) {
-  if (!sea_->surface.outline()) return;
+  const TerrainMap* terrain = sea_->surface.terrain();
+  if (!sea_->surface.outline() && !terrain) return;
   forEachPrescribed(
-      [&](const PrescribedVessel&, std::size_t i, std::span<const SurfaceSample> water) {
+      [&](const PrescribedVessel& vessel, std::size_t i, std::span<const SurfaceSample> water) {
         const bool dry = std::any_of(water.begin(), water.end(), [](const SurfaceSample& sample) {
           return has(sample.status, SampleStatus::dry);
         });
+        const auto from = static_cast<std::size_t>(water.data() - samples_.data());
+        const auto places = std::span(points_).subspan(from, water.size());
+        if (terrain) {
+          requireClearOfGround(*scene_, scene_->vessels[i].name, t, vessel.hull().draft(), *terrain,
+                               places, water);
+        }
         if (dry) throw aground(*scene_, scene_->vessels[i].name, t);
       });
 }

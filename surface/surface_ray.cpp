@@ -12,10 +12,12 @@ namespace seaway {
 std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 origin,
                                       glm::dvec3 direction, const RayOptions& options) {
   const double level = glm::length(glm::dvec2(direction));
-  const double bound = water.heightBound();
+  const TerrainMap* terrain = water.terrain();
+  const double bound = std::max(water.heightBound(), terrain ? terrain->highest() : 0.0);
   double meanSquare = 0.0;
   for (const Octave& octave : water.waves().field().octaves()) meanSquare += meanSquareSlope(octave);
-  const double steepest = 6.0 * std::sqrt(meanSquare);
+  const double steepest =
+      std::max(6.0 * std::sqrt(meanSquare), terrain ? terrain->steepest() : 0.0);
   const double curvature = options.curved ? 1.0 / earthMeanRadius : 0.0;
 
   const auto aboveStillWater = [&](double distance) {
@@ -27,8 +29,12 @@ std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 ori
   };
   const auto aboveWater = [&](double distance) {
     const SurfaceSample sample = at(distance);
-    const double height = has(sample.status, SampleStatus::dry) ? 0.0 : sample.height;
-    return aboveStillWater(distance) - height;
+    if (!has(sample.status, SampleStatus::dry)) return aboveStillWater(distance) - sample.height;
+    const glm::dvec2 foot = glm::dvec2(origin) + glm::dvec2(direction) * distance;
+    const bool outside = !water.outline() || !water.outline()->contains(foot);
+    const double shore = water.outline() && outside ? 0.0 : -bound;
+    const double ground = terrain ? terrain->heightAt(foot) : 0.0;
+    return aboveStillWater(distance) - std::max(ground, shore);
   };
 
   double before = options.nearDistance;

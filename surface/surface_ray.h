@@ -17,7 +17,7 @@ struct RayOptions {
 
 /// Distance in metres along a ray to the water, from above or from below: its first hit; empty where
 /// it meets none, or where the ray is not finite; outside the water's outline flat ground at
-/// still-water level ends the ray. For lidars, radars and cameras; the truth that
+/// still-water level ends the ray, and so does terrain that stands above the water. For lidars, radars and cameras; the truth that
 /// images and depths are compared with.
 ///
 /// `origin` is in the sea plane's frame (its foot point is where the sea's curvature is measured

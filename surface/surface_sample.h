@@ -24,7 +24,8 @@ enum class SampleStatus : std::uint32_t {
                             ///< given
   wakePartial = 1u << 7,  ///< some of a wake's waves are missing or too low here: the point lies in
                           ///< a window's border, or beyond the window of the short waves
-  dry = 1u << 8,  ///< outside the water's outline: there is no water, values are NaN
+  dry = 1u << 8,  ///< outside the water's outline, or the terrain stands above the water: there is
+                  ///< no water, values are NaN
 };
 
 constexpr SampleStatus operator|(SampleStatus a, SampleStatus b) {

@@ -56,6 +56,17 @@ WaterKinematics under(const SurfaceSample& sample, const WaveField& waves,
   return result;
 }
 
+/// Makes points in the ground invalid, and those of water that ground stands above.
+void markBelowGround(const TerrainMap& terrain, std::span<const glm::dvec3> points,
+                     std::span<WaterKinematics> out) noexcept {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double ground = terrain.heightAt(glm::dvec2(points[i]));
+    if (points[i].z < ground || out[i].surfaceHeight <= ground) {
+      out[i] = invalid(out[i].surfaceHeight, SampleStatus::belowBed);
+    }
+  }
+}
+
 constexpr double weightDensity = seaWaterDensity * standardGravity;  // N/m³
 
 void add(const GroupOctave& octave, const WaveField& waves, const glm::dvec3& point, double t,
@@ -193,6 +204,7 @@ void sampleKinematics(const SurfaceAtTime& now, std::span<const glm::dvec3> poin
     sampleTile(now.waves(), now.disturbances(), extras, points.subspan(first, count),
                out.subspan(first, count), options);
   }
+  if (now.terrain()) markBelowGround(*now.terrain(), points, out);
 }
 
 double disturbanceHead(const SurfaceAtTime& now, glm::dvec2 point, double stretched,

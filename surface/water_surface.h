@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "surface/field/wave_field.h"
 #include "surface/outline/water_outline.h"
 #include "surface/surface_sample.h"
+#include "surface/terrain/terrain_map.h"
 
 namespace seaway {
 
@@ -19,6 +22,14 @@ namespace seaway {
 using DisturbanceFeed = Published<DisturbanceState>;
 
 class WaterSurface;
+
+/// See WaterSurface::bedAt.
+inline double bedHeight(const TerrainMap* terrain, const WaveField& waves,
+                        glm::dvec2 point) noexcept {
+  const double ground = terrain ? terrain->heightAt(point)
+                                : -std::numeric_limits<double>::infinity();
+  return std::isinf(ground) ? -waves.settings().depth : ground;
+}
 
 /// What disturbs a sea beside wakes: by formula, and as pictures of the surface about a time. Null:
 /// nothing.
@@ -48,10 +59,12 @@ class SurfaceAtTime {
  public:
   explicit SurfaceAtTime(FieldAtTime waves,
                          std::shared_ptr<const DisturbanceState> disturbances = nullptr,
-                         const WaterOutline* outline = nullptr, SurfaceExtras extras = {})
+                         const WaterOutline* outline = nullptr, SurfaceExtras extras = {},
+                         const TerrainMap* terrain = nullptr)
       : waves_(std::move(waves)),
         disturbances_(std::move(disturbances)),
         outline_(outline),
+        terrain_(terrain),
         extras_(std::move(extras)) {}
 
   /// Prepares this object for `surface` at another time, with the disturbances of now: as
@@ -64,15 +77,24 @@ class SurfaceAtTime {
   const DisturbanceState* disturbances() const { return disturbances_.get(); }
   /// Null where there is water everywhere.
   const WaterOutline* outline() const { return outline_; }
+  /// Null where no map tells the sea bed.
+  const TerrainMap* terrain() const { return terrain_; }
   const SurfaceExtras& extras() const { return extras_; }
 
-  /// See WaveField::sample; the same bits. Outside the outline: NaN, SampleStatus::dry.
+  /// Height of the sea bed or the ground above the still-water level, m; see WaterSurface::bedAt.
+  double bedAt(glm::dvec2 point) const noexcept {
+    return bedHeight(terrain_, waves_.field(), point);
+  }
+
+  /// See WaveField::sample; the same bits. Outside the outline, and where the terrain stands above
+  /// the water: NaN, SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(points, out, options);
     addExtras(points, out, options);
     if (disturbances_) disturbances_->addTo(points, time(), out, options);
     if (outline_) outline_->markDry(points, out);
+    if (terrain_) terrain_->markDry(points, out);
   }
   SurfaceSample sample(glm::dvec2 point, const SampleOptions& options = {}) const noexcept {
     SurfaceSample result = waves_.sample(point, options);
@@ -80,10 +102,11 @@ class SurfaceAtTime {
     addExtras(points, std::span(&result, 1), options);
     if (disturbances_) disturbances_->addTo(points, time(), std::span(&result, 1), options);
     if (outline_) outline_->markDry(points, std::span(&result, 1));
+    if (terrain_) terrain_->markDry(points, std::span(&result, 1));
     return result;
   }
 
-  /// See FieldAtTime::Arrays: waves and wakes alone; the outline is not looked at.
+  /// See FieldAtTime::Arrays: waves and wakes alone; outline and terrain are not looked at.
   void sample(std::span<const double> x, std::span<const double> y, const FieldAtTime::Arrays& out,
               const SampleOptions& options = {}) const noexcept {
     waves_.sample(x, y, out, options);
@@ -111,6 +134,7 @@ class SurfaceAtTime {
   FieldAtTime waves_;
   std::shared_ptr<const DisturbanceState> disturbances_;
   const WaterOutline* outline_;
+  const TerrainMap* terrain_;
   SurfaceExtras extras_;
 };
 
@@ -139,6 +163,21 @@ class WaterSurface {
   const WaterOutline* outline() const { return outline_.get(); }
   std::shared_ptr<const WaterOutline> sharedOutline() const { return outline_; }
 
+  /// Ground and sea bed from now on; null: no ground but an outline's, a bed at the field's depth.
+  /// Where both are given both apply: water is inside the outline and above the terrain. Not while
+  /// others sample.
+  void setTerrain(std::shared_ptr<const TerrainMap> terrain) { terrain_ = std::move(terrain); }
+  /// Null where no map tells the sea bed.
+  const TerrainMap* terrain() const { return terrain_.get(); }
+  std::shared_ptr<const TerrainMap> sharedTerrain() const { return terrain_; }
+
+  /// Height of the sea bed or the ground above the still-water level, m: the terrain's on its map,
+  /// the field's depth beyond (−∞ in deep water). The water column at a point is the sample's
+  /// height less this.
+  double bedAt(glm::dvec2 point) const noexcept {
+    return bedHeight(terrain_.get(), waves_, point);
+  }
+
   /// Splashes, rain, layers and ripples from now on. Not while others sample.
   void setEvents(std::shared_ptr<const SurfaceEvents> events) {
     extras_.events = std::move(events);
@@ -150,10 +189,11 @@ class WaterSurface {
 
   /// The surface prepared for one time; allocates.
   SurfaceAtTime at(double t) const {
-    return SurfaceAtTime(waves_.at(t), disturbances(), outline(), extras_);
+    return SurfaceAtTime(waves_.at(t), disturbances(), outline(), extras_, terrain());
   }
 
-  /// See WaveField::sample. Outside the outline: NaN, SampleStatus::dry.
+  /// See WaveField::sample. Outside the outline, and where the terrain stands above the water: NaN,
+  /// SampleStatus::dry.
   void sample(std::span<const glm::dvec2> points, double t, std::span<SurfaceSample> out,
               const SampleOptions& options = {}) const noexcept {
     sampleWithoutWakes(points, t, out, options);
@@ -161,9 +201,10 @@ class WaterSurface {
       if (const auto state = feed_->latest()) state->addTo(points, t, out, options);
     }
     if (outline_) outline_->markDry(points, out);
+    if (terrain_) terrain_->markDry(points, out);
   }
 
-  /// The same without what the feed publishes, and without the outline.
+  /// The same without what the feed publishes, without the outline and the terrain.
   void sampleWithoutWakes(std::span<const glm::dvec2> points, double t,
                           std::span<SurfaceSample> out,
                           const SampleOptions& options = {}) const noexcept {
@@ -197,6 +238,7 @@ class WaterSurface {
   WaveField waves_;
   std::shared_ptr<const DisturbanceFeed> feed_;
   std::shared_ptr<const WaterOutline> outline_;
+  std::shared_ptr<const TerrainMap> terrain_;
   SurfaceExtras extras_;
 };
 
@@ -204,6 +246,7 @@ inline void SurfaceAtTime::moveTo(const WaterSurface& surface, double t) {
   waves_.moveTo(surface.waves(), t);
   disturbances_ = surface.disturbances();
   outline_ = surface.outline();
+  terrain_ = surface.terrain();
   extras_ = surface.extras();
 }
 

@@ -102,6 +102,8 @@ void setLocal(const GlProgram& program, const ShadingConstants& c) {
   program.set("mirrorSteps", c.mirrorSteps);
   program.set("mirrorNearest", c.mirrorNearest);
   program.set("mirrorFarthest", c.mirrorFarthest);
+  program.set("mirrorBend", c.mirrorBend);
+  program.set("shoreHardness", c.shoreHardness);
 }
 
 void setUnderWater(const GlProgram& program, const ShadingConstants& c) {

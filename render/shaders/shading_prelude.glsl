@@ -33,7 +33,7 @@ uniform vec3 pixelRight, pixelDown;
 uniform vec2 pixelMiddle;
 uniform bool mirrorIsOn, belowIsOn;
 uniform vec2 mirrorLeast, mirrorSize, belowLeast, belowSize;
-uniform float mirrorNearest, mirrorFarthest;
+uniform float mirrorNearest, mirrorFarthest, mirrorBend, shoreHardness;
 uniform int mirrorSteps;
 
 uniform bool windowIsOn, depthsAreOn, waterlineIsOn;

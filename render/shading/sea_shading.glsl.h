@@ -74,12 +74,14 @@ SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
   Real2 where = Real2(0.0f, 0.0f);
   Real here = dot(relative, Real3(forward));
   Real surface = 1.0f / max(here, 1e-3f);
-  // Even steps through the distances between which there are objects.
+  // Steps through the distances between which there are objects: even ones, or where land is among
+  // them ones that grow, for both what is near and what is far.
   Real perMetre = 1.0f / max(dot(onwards, Real3(forward)), 0.02f);
   Real first = max((mirrorNearest - here) * perMetre, 0.0f);
   Real step = max((mirrorFarthest - here) * perMetre - first, 0.0f) * (1.0f / float(mirrorSteps));
   for (int i = 1; i <= mirrorSteps; ++i) {
-    Real3 place = relative + onwards * (first + step * float(i));
+    float slow = 1.0f - mirrorBend * (1.0f - float(i) / float(mirrorSteps));
+    Real3 place = relative + onwards * (first + step * (float(i) * slow * slow));
     Real axial = max(dot(place, Real3(forward)), 1e-3f);
     Real2 pixel = pixelOf(place, axial);
     Real nearness = mirrorNearness(pixel);
@@ -150,6 +152,11 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
                 Real3(slope.x * shift, slope.y * shift, Real(0.0f));
   Real placeAxial = max(dot(place, Real3(forward)), 1e-3f);
   Real2 pixel = pixelOf(place, placeAxial);
+  // A bed goes on beyond the picture.
+  if (shoreHardness > 0.0f) {
+    pixel = Real2(clamp(pixel.x, belowLeast.x, belowLeast.x + belowSize.x - 1.0f),
+                  clamp(pixel.y, belowLeast.y, belowLeast.y + belowSize.y - 1.0f));
+  }
   Real there = belowNearness(pixel);
   Real depth = (1.0f / max(there, 1e-6f) - axial) * perAxial * max(toViewer.z, 0.05f) * 1.34f;
   Real part = Real(0.0f);
@@ -160,6 +167,20 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
   Real path = max(depth, 0.0f) / steep;
   Real3 clear = leftInWater(path);
   return water - water * clear * (part * shown) + light * clear * shown;
+}
+
+// Where water begins, what lies under it shows unrefracted: blended in by depth times hardness
+// (Toman, "Shore softness"). The bed there is as wet as the pictures of LocalLight make it.
+SHADER Real3 withSoftShore(Real3 relative, Real distance, Real3 toViewer, Real3 water) {
+  Real axial = dot(relative, Real3(forward));
+  Real2 pixel = pixelOf(relative, axial);
+  Real nearness = belowNearness(pixel);
+  Real beyond = (1.0f / max(nearness, 1e-6f) - axial) * distance / axial;
+  Real depth = 1.34f * max(beyond, 0.0f) * max(toViewer.z, 0.02f);
+  Real part = Real(0.0f);
+  Real3 bed = belowLight(pixel, part);
+  Real shown = choose(nearness > 0.0f, clamp(depth * shoreHardness, 0.0f, 1.0f), Real(1.0f));
+  return mix(bed / max(part, 1e-3f), water, choose(part > 0.01f, shown, Real(1.0f)));
 }
 
 // Disc and glare about it. Angles are small where either shows: chord for arc.
@@ -364,6 +385,7 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
     }
     colour = mix(colour, whiteWater, foamOpacity(relative, footprint, white));
   }
+  if (shoreHardness > 0.0f) colour = withSoftShore(relative, distance, toViewer, colour);
   colour = hazed(colour, -toViewer, distance);
   if (lampCount > 0) colour = colour + lampsSeen(-toViewer, distance);
   return colour;

@@ -67,6 +67,8 @@ struct ShadingConstants {
   glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
   int mirrorSteps = 6;
+  float mirrorBend = 0.0f;  ///< 0: steps through those distances are even; 1: they grow
+  float shoreHardness = 0.0f;  ///< 1/m: how fast water fades in over a bed; 0: it does not
   float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   // the same from under water
   bool windowIsOn = false, depthsAreOn = false;

@@ -47,11 +47,16 @@ void StripTechnique::raster(const View& view, const Shown& shown) {
   const int count = (size.y + rowsPerStrip - 1) / rowsPerStrip;
   strips_.resize(count);
   edges_.resize(shown.objects ? count : 0);
+  groundStrips_.resize(ground_.empty() ? 0 : count);
   tbb::parallel_for(0, count, [&](int i) {
     const int top = i * rowsPerStrip;
     strips_[i].clear(top, std::min(rowsPerStrip, size.y - top), size.x, shown.objects);
     if (shown.water) rasterSea(view, strips_[i]);
     if (!hollows_.empty()) cutHollows(hollows_, view.camera, strips_[i]);
+    if (!groundStrips_.empty()) {
+      groundStrips_[i].clear(top, strips_[i].rows, size.x, false);
+      ground_.raster(groundStrips_[i]);
+    }
     if (!shown.objects) return;
     edges_[i].fill(objects_, strips_[i]);
     objects_.raster(strips_[i]);
@@ -77,6 +82,10 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   }
   if (r.shown.objects) objects_.fillSpan(which, objects, span);
   if (shore_) shore_->fillSpan(span);
+  if (groundStrips_.empty()) return;
+  const Strip& ground = groundStrips_[r.row / rowsPerStrip];
+  const std::size_t at = static_cast<std::size_t>(r.row - ground.top) * ground.stride + first;
+  terrain_.fillSpan(r.view.camera, ground.inverse.data() + at, TerrainSide::direct, span);
 }
 
 /// What labels tell of a span's pixels.
@@ -188,12 +197,23 @@ void StripTechnique::shade(const View& view, const Shown& shown, const Lighting&
   ShadingConstants constants = shadingConstants(view, lighting);
   waterline_.setConstants(constants);
   shadows_.setConstants(constants);
-  local_.fill(view, shown, sourcesFor(constants));
+  local_.fill(view, shown, sourcesFor(constants), terrain_);
   local_.setConstants(constants);
   frame.exposure = constants.exposure;
   tbb::parallel_for(0, view.camera.size.y, [&](int row) {
     shadeRow({view, constants, shown, row}, frame);
   });
+}
+
+void StripTechnique::prepareTerrain(const View& view, Shown& shown) {
+  terrain_.prepare(view, shown);
+  shown.terrain = terrain_.isShown();
+  ground_.clear();
+  if (!shown.terrain) {
+    groundStrips_ = {};
+    return;
+  }
+  ground_.fill(terrain_.corners(), view.camera);
 }
 
 void StripTechnique::drawInto(const View& given, Frame& frame) {
@@ -218,6 +238,8 @@ void StripTechnique::drawInto(const View& given, Frame& frame) {
     objects_.fill(view.objects, view.camera);
     timer.finish("objects", meshes);
   }
+  prepareTerrain(view, shown);
+  if (shown.terrain) timer.finish("terrain", Effect::terrain);
   shore_.reset();
   if (const WaterOutline* outline = decideOutline(view, shown.water)) {
     shore_.emplace(*outline, view.camera);
@@ -243,6 +265,10 @@ void StripTechnique::drawInto(const View& given, Frame& frame) {
   std::size_t objects = objects_.memoryBytes() + isSoftened_.capacity();
   for (const ObjectEdges& edges : edges_) objects += edges.memoryBytes();
   if (objects > 0) view.effects->holdMemory(meshes.value_or(Effect::vesselMeshes), objects);
+  if (!shown.terrain) return;
+  std::size_t terrain = terrain_.memoryBytes() + ground_.memoryBytes();
+  for (const Strip& strip : groundStrips_) terrain += strip.inverse.capacity() * sizeof(float);
+  view.effects->holdMemory(Effect::terrain, terrain);
 }
 
 }  // namespace seaway::render

@@ -12,6 +12,7 @@
 #include "render/software/object_edges.h"
 #include "render/software/object_triangles.h"
 #include "render/software/raster.h"
+#include "render/terrain/terrain_in_view.h"
 #include "render/waterline.h"
 
 namespace seaway::render {
@@ -58,6 +59,7 @@ class StripTechnique : public RenderTechnique {
               glm::vec3* radiance) const;
   void storeLabels(const ShadedRow& r, const PixelSpan& span, const std::uint32_t* which,
                    std::size_t at, Frame& frame) const;
+  void prepareTerrain(const View& view, Shown& shown);
 
   ObjectTriangles objects_;
   std::vector<Strip> strips_;
@@ -69,6 +71,9 @@ class StripTechnique : public RenderTechnique {
   Waterline waterline_;
   LocalLight local_;
   std::optional<Shore> shore_;         // of this frame
+  TerrainInView terrain_;
+  TerrainInView::Triangles ground_;  // of this frame
+  std::vector<Strip> groundStrips_;  // empty where no ground is shown
   std::vector<PlacedHollow> hollows_;  // of this frame
 };
 

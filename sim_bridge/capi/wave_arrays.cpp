@@ -66,6 +66,7 @@ bool isPlain(const SurfaceAtTime& water, const seaway_points& points,
              const SampleOptions& options) {
   return points.frame == SEAWAY_SEA_PLANE && !points.wanted && !options.orbitalVelocity &&
          options.shortestWavelength == 0.0 && !water.disturbances() && !water.outline() &&
+         !water.terrain() &&
          !water.extras().events && !water.extras().detail;
 }
 

@@ -129,7 +129,8 @@ void SeaWater::velocities(double t, std::span<const WaterPoint> points,
     const WaterKinematics& motion = motions_[i];
     const glm::dvec2 level =
         bases_[i].trueFromPlane(glm::dvec2(motion.velocity.x, motion.velocity.y) + current);
-    const bool ashore = now.outline() && !now.outline()->contains(places_[i]);
+    const bool ashore = (now.outline() && !now.outline()->contains(places_[i])) ||
+                        (now.terrain() && !(motion.surfaceHeight > now.bedAt(places_[i])));
     const bool valid = std::isfinite(t) && !ashore && isWater(motion.status) &&
                        std::isfinite(level.x) && std::isfinite(motion.velocity.z);
     out[i] = {motion.surfaceHeight, {level.x, level.y, motion.velocity.z}, valid};

@@ -31,6 +31,7 @@ constexpr const char* resultColumns[] = {"height_m", "slope_x", "slope_y", "velo
                                          "error_m",  "bound_m", "status"};
 constexpr const char* orbitalColumns[] = {"orbital_u_m_s", "orbital_v_m_s", "orbital_w_m_s"};
 constexpr const char* pressureColumn = "pressure_pa";
+constexpr const char* depthColumn = "depth_m";  // of scenes with terrain
 
 // Points that go through the surface in one call, between two looks at the progress bar.
 constexpr std::size_t pointsPerCall = 1 << 18;
@@ -45,6 +46,7 @@ struct Point {
 struct Answer {
   SurfaceSample sample;
   double pressure = std::nan("");
+  double depth = std::nan("");  // of the water, m; 0 where it is dry
   double ellipsoidalHeight = std::nan("");
 };
 
@@ -102,7 +104,12 @@ class Asker {
     for (const std::size_t row : rows) places_.push_back(points_[row].position);
     samples_.resize(rows.size());
     sampleInParallel(now, places_, samples_, options_);
-    for (std::size_t i = 0; i < rows.size(); ++i) answers[rows[i]].sample = samples_[i];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Answer& answer = answers[rows[i]];
+      answer.sample = samples_[i];
+      const bool dry = has(samples_[i].status, SampleStatus::dry);
+      answer.depth = dry ? 0.0 : samples_[i].height - now.bedAt(places_[i]);
+    }
     if (options_.orbitalVelocity) askKinematics(rows, now, answers);
   }
 
@@ -217,7 +224,8 @@ std::vector<double> numbersOf(const SurfaceSample& sample) {
 }
 
 void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
-              const QueryOptions& options, std::ostream& out) {
+              const QueryOptions& options, const Sea& sea, std::ostream& out) {
+  const bool depths = sea.surface.terrain() != nullptr;
   std::string text;
   for (const std::string& name : table.header) text += csvCell(name) + ",";
   const char* separator = "";
@@ -229,6 +237,7 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
     for (const char* name : orbitalColumns) text += "," + std::string(name);
   }
   if (options.pressure) text += "," + std::string(pressureColumn);
+  if (depths) text += "," + std::string(depthColumn);
   text += options.ellipsoidal ? ",ellipsoidal_height_m\n" : "\n";
   for (std::size_t row = 0; row < answers.size(); ++row) {
     for (const std::string& cell : table.rows[row]) text += csvCell(cell) + ",";
@@ -238,6 +247,7 @@ void writeCsv(const PointsTable& table, const std::vector<Answer>& answers,
       text += "," + numberText(answers[row].sample.orbitalVelocity[i]);
     }
     if (options.pressure) text += "," + numberText(answers[row].pressure);
+    if (depths) text += "," + numberText(answers[row].depth);
     if (options.ellipsoidal) text += "," + numberText(answers[row].ellipsoidalHeight);
     text += '\n';
   }
@@ -268,6 +278,7 @@ void writeJson(const PointsTable& table, const std::vector<Answer>& answers,
       point[orbitalColumns[i]] = answers[row].sample.orbitalVelocity[i];
     }
     if (options.pressure) point[pressureColumn] = answers[row].pressure;
+    if (sea.surface.terrain()) point[depthColumn] = answers[row].depth;
     if (options.ellipsoidal) point["ellipsoidal_height_m"] = answers[row].ellipsoidalHeight;
     points.push_back(std::move(point));
   }
@@ -332,6 +343,7 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
   const PointsTable table = pointsTable(options, in);
   requireSound(options, table);
   const Sea sea = buildSea(scene);
+  if (sea.surface.terrain()) requireNoneOf(std::span(&depthColumn, 1), table);
   std::vector<Point> points;
   points.reserve(table.rows.size());
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -350,7 +362,7 @@ int runQuery(const QueryOptions& options, std::istream& in, std::ostream& out) {
   if (options.json) {
     writeJson(table, answers, options, sea, out);
   } else {
-    writeCsv(table, answers, options, out);
+    writeCsv(table, answers, options, sea, out);
   }
   return 0;
 }

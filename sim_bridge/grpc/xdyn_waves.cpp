@@ -118,7 +118,8 @@ void XdynWaves::forEachMotion(const XYZTGrid& request, const CallWatch& watch, U
     sampleKinematics(now, std::span(points).first(count), motions);
     for (std::size_t i = 0; i < count; ++i) {
       WaterKinematics& motion = motions[i];
-      const bool ashore = now.outline() && !now.outline()->contains(places[from + i]);
+      const bool ashore = (now.outline() && !now.outline()->contains(places[from + i])) ||
+                          (now.terrain() && !(motion.surfaceHeight > now.bedAt(places[from + i])));
       if (has(motion.status, SampleStatus::aboveSurface)) {
         motion.dynamicPressure = 0.0;
         motion.velocity = glm::dvec3(0.0);

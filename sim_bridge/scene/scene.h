@@ -15,6 +15,7 @@
 #include "render/render_technique.h"
 #include "sim_bridge/scene/place.h"
 #include "sim_bridge/scene/scene_events.h"
+#include "sim_bridge/scene/scene_terrain.h"
 #include "sim_bridge/scene/scenery.h"
 #include "sim_bridge/scene/sea_state_file.h"
 #include "sim_bridge/scene/vessel_model.h"
@@ -205,6 +206,7 @@ struct Scene {
   SceneRain rain;
   std::vector<SceneRipples> ripples;
   std::vector<SceneLayer> layers;
+  SceneTerrain terrain;
   LightSettings light;
   std::vector<SceneLamp> lamps;
   EffectSettings effects{};

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_bridge/scene/outline_file.h"
+#include "sim_bridge/scene/terrain_file.h"
 #include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/scene_detail.h"
 #include "surface/geodesy.h"
@@ -135,6 +136,47 @@ void resolveOutline(Scene& scene, const YamlValue& document, const Geodesy& geod
       std::make_shared<const WaterOutline>(loadOutline(referredFile(*key, scene.file), geodesy));
 }
 
+/// What a terrain's file needs told and what it must not be told.
+void requireSoundTerrain(const SceneTerrain& terrain, const YamlValue& value, bool isPicture) {
+  for (const char* key : {"extent", "centre", "size_m", "height_m"}) {
+    const YamlValue* given = value.find(key);
+    if (given && !isPicture) given->fail("is for a PNG only: a GeoTIFF tells it itself");
+  }
+  if (!isPicture) return;
+  if (terrain.extent.has_value() == terrain.centre.has_value()) {
+    value.fail("a PNG needs exactly one of extent and centre");
+  }
+  if (terrain.centre && !(terrain.size.x > 0.0 && terrain.size.y > 0.0)) {
+    childOf(value, "size_m").fail("a PNG about a centre needs its size, above 0 m each way");
+  }
+  if (!value.find("height_m")) value.fail("a PNG needs height_m: its heights at black and white");
+  if (value.find("no_data_m")) value.find("no_data_m")->fail("is for a GeoTIFF only");
+  if (!terrain.extent) return;
+  const TerrainExtent& extent = *terrain.extent;
+  if (!(extent.south_deg < extent.north_deg)) {
+    value.find("extent")->fail("is upside down: south_deg must be below north_deg");
+  }
+  const double width = extent.east_deg - extent.west_deg;
+  if (width == 0.0 || std::abs(width) >= 360.0) {
+    value.find("extent")->fail("has no width: east_deg must lie east of west_deg");
+  }
+  if (width < 0.0 && !(extent.west_deg > 0.0 && extent.east_deg < 0.0)) {
+    value.find("extent")->fail(
+        "is inverted: east_deg is below west_deg, which is for maps across 180° alone");
+  }
+}
+
+void resolveTerrain(Scene& scene, const YamlValue& document, const Geodesy& geodesy) {
+  const YamlValue* value = document.find("terrain");
+  if (!value) return;
+  const fs::path file = referredFile(*value->find("file"), scene.file);
+  requireSoundTerrain(scene.terrain, *value, isPngFile(file));
+  const double level =
+      scene.terrain.datum == TerrainDatum::geoid ? scene.sea.waterLevel : 0.0;
+  scene.terrain.map =
+      std::make_shared<const TerrainMap>(loadTerrain(scene.terrain, file, geodesy, level));
+}
+
 std::vector<std::string> vesselNames(const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneVessel& vessel : scene.vessels) names.push_back(vessel.name);
@@ -218,6 +260,7 @@ Scene sceneOf(const YamlValue& document, const fs::path& file) {
   const Geodesy geodesy({scene.sea.anchor.latitude_deg, scene.sea.anchor.longitude_deg, 0.0});
   resolveSeaState(scene, document);
   resolveOutline(scene, document, geodesy);
+  resolveTerrain(scene, document, geodesy);
   resolveVessels(scene, document, geodesy);
   resolveScenery(scene, document, geodesy);
   checkCameras(scene, document, geodesy);

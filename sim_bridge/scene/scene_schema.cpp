@@ -145,6 +145,8 @@ const Mapping<Scene>& sceneSchema() {
       mapping("rain", &Scene::rain, rainSchema(), "rings of raindrops; without it none falls"),
       list("ripples", &Scene::ripples, ripplesSchema(placeSchema()), "what bobs in the water"),
       list("layers", &Scene::layers, layerSchema(placeSchema()), "what lies on the water"),
+      mapping("terrain", &Scene::terrain, terrainSchema(placeSchema()),
+              "islands, shores and sea bed; without it the bed is at sea.depth_m"),
       mapping("light", &Scene::light, lightSchema(), "sun, moon, wind, air and how water is lit"),
       list("lights", &Scene::lamps, lampSchema(placeSchema()), "lamps: shown when it is dusk or dark"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),

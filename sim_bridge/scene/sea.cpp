@@ -95,6 +95,9 @@ Sea buildSea(const Scene& scene) {
     if (sea.outline && shores != EffectSetting::off) {
       surface.setOutline(sea.outline);
     }
+    if (scene.effects[static_cast<std::size_t>(Effect::terrain)] != EffectSetting::off) {
+      surface.setTerrain(scene.terrain.map);
+    }
     const WaveField& field = surface.waves();
     const Geodesy geodesy({sea.anchor.latitude_deg, sea.anchor.longitude_deg, 0.0});
     surface.setEvents(sceneEvents(scene, geodesy, {field.settings().current, sea.depth}));

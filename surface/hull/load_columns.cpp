@@ -22,6 +22,7 @@ void LoadWork::pushColumns() {
   const glm::dvec3 up = worldFromBody[2];
   const double steepness = std::max(std::abs(up.z), 1e-3);  // height of a column per metre of it
   const double bed = -water.waves().field().settings().depth;
+  const TerrainMap* terrain = water.terrain();
   Load world;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const MeshColumn& column = columns[i];
@@ -30,7 +31,8 @@ void LoadWork::pushColumns() {
     const double under = scratch.height_[i] - (pose.position.z + low.z);
     const double wet = std::clamp(under / steepness, 0.0, column.high - column.low);
     const double volume = column.area * wet;
-    if (pose.position.z + low.z < bed) result.status |= SampleStatus::belowBed;
+    const double ground = terrain ? terrain->heightAt({scratch.x_[i], scratch.y_[i]}) : bed;
+    if (pose.position.z + low.z < std::max(bed, ground)) result.status |= SampleStatus::belowBed;
     const glm::dvec3 arm = low + (up.z >= 0.0 ? 0.5 : -0.5) * wet * up;
     const glm::dvec3 force =
         waterWeight * volume * glm::dvec3(-scratch.slopeX_[i], -scratch.slopeY_[i], 1.0);

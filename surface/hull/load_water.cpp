@@ -133,6 +133,17 @@ void LoadWork::tellShore() {
   }
 }
 
+/// Whether any of the first places, with what is in `depth_` still their depths below the
+/// still-water level, lies in the terrain.
+bool LoadWork::touchesGround(std::size_t count) const {
+  const TerrainMap* terrain = water.terrain();
+  if (!terrain) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (-scratch.depth_[i] < terrain->heightAt({scratch.x_[i], scratch.y_[i]})) return true;
+  }
+  return false;
+}
+
 /// Places of the vertices and their depths below the sea above them; false where the sea is not
 /// known there.
 bool LoadWork::submergeVertices() {
@@ -149,6 +160,7 @@ bool LoadWork::submergeVertices() {
   bool known = true, touches = false;
   std::size_t wet = 0;
   const double bed = -water.waves().field().settings().depth;
+  touches |= touchesGround(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double height = scratch.height_[i];
     known &= height > bed;

@@ -94,6 +94,7 @@ struct LoadWork {
   void sampleHeights();
   void addChanges();
   void tellShore();
+  bool touchesGround(std::size_t count) const;
   void addDynamicPressure(std::size_t wet);
   void pressPanels();
   struct WetPart {

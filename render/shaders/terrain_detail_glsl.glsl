@@ -1,0 +1,2 @@
+// What terrain_detail.glsl.h wants of GLSL.
+#define SHADER
