@@ -10,7 +10,9 @@
 #include "render/headless_context.h"
 #include "render/technique_choice.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/commands/run_output.h"
+#include "sim_bridge/cost/tuning.h"
 #include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
@@ -90,6 +92,35 @@ void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& su
   summary.timingsMs["motion"] += watch.milliseconds();
 }
 
+/// What a run did of what was foreseen: pictures and queries are held against the truth at its end.
+Performance achievedBy(const Simulation& simulation, const std::string& backend,
+                       const RunSummary& summary) {
+  Performance achieved;
+  const Scene& scene = simulation.scene();
+  const Performance& foreseen = scene.tuned;
+  const auto mean = [&](const char* stage, double count) -> std::optional<double> {
+    const auto found = summary.timingsMs.find(stage);
+    if (found == summary.timingsMs.end() || count <= 0.0) return std::nullopt;
+    return found->second / count;
+  };
+  if (foreseen.height || foreseen.query) {
+    const Setting queries = measureQueries(scene, simulation.sea(), simulation.time());
+    achieved.height = queries.error;
+    achieved.query = queries.cost;
+  }
+  if (foreseen.frame) {
+    achieved.frame =
+        mean("draw", static_cast<double>(summary.frames) * static_cast<double>(scene.cameras.size()));
+  }
+  if (foreseen.position && achieved.frame) {
+    achieved.position = measurePosition(scene, simulation, backend);
+  }
+  if (const auto step = mean("motion", static_cast<double>(summary.steps)); foreseen.step && step) {
+    achieved.step = 1e3 * *step;
+  }
+  return achieved;
+}
+
 void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
                  const RunFolder& folder, RunSummary& summary) {
   Telemetry telemetry(folder.path(), scene);
@@ -108,6 +139,7 @@ void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
   sail(simulation, scene.run.duration, telemetry, summary, progress);
   telemetry.commit();
   summary.frames = frames;
+  summary.achieved = achievedBy(simulation, backend, summary);
 }
 
 void writeReport(const Scene& scene, const RunSummary& summary, const std::string& json,
@@ -122,6 +154,13 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
       folder.path().string(), scene.run.duration, summary.wallSeconds,
       scene.run.duration / summary.wallSeconds, summary.frames, scene.cameras.size(),
       summary.hm0Asked, summary.hm0Realised);
+  const auto foreseen = performanceJson(scene.tuned), achieved = performanceJson(summary.achieved);
+  for (const auto& [key, value] : foreseen.items()) {
+    out << fmt::format("{}: foreseen {:.4g}, {}\n", key, value.get<double>(),
+                       achieved.contains(key)
+                           ? fmt::format("achieved {:.4g}", achieved[key].get<double>())
+                           : "not measured");
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "sim_bridge/commands/blocked_octaves_json.h"
+#include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/telemetry.h"
 
@@ -141,6 +142,10 @@ std::string RunSummary::json(const Scene& scene) const {
                   {"wall_s", wallSeconds},
                   {"timings_ms", timingsMs},
                   {"passes_ms", passesMs}});
+  if (scene.tuned.any()) {
+    summary["tuned"] = {{"foreseen", performanceJson(scene.tuned)},
+                        {"achieved", performanceJson(achieved)}};
+  }
   return summary.dump(2) + "\n";
 }
 

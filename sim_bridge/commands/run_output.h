@@ -50,6 +50,7 @@ struct RunSummary {
   std::map<std::string, double> timingsMs;  ///< totals by stage
   std::map<std::string, double> passesMs;   ///< totals of the technique's passes
   render::FrameStats lastFrame;
+  Performance achieved;  ///< what of the scene's `tuned` was measured
 
   std::string json(const Scene& scene) const;
 };
