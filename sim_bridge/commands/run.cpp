@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <limits>
 
 #include "render/headless_context.h"
 #include "render/technique_choice.h"
@@ -13,12 +15,14 @@
 #include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/commands/run_output.h"
 #include "sim_bridge/cost/tuning.h"
+#include "sim_bridge/output/checkpoint.h"
 #include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
+#include "surface/input_error.h"
 
 namespace seaway::bridge {
 namespace {
@@ -82,11 +86,14 @@ long long frameCount(const Scene& scene) {
 
 // Whole steps up to `t`, a row of telemetry each.
 void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& summary,
-          Progress& progress) {
+          Progress& progress, const std::function<void()>& stepped) {
   const Stopwatch watch;
   while (simulation.nextTime() <= t * (1.0 + 1e-12)) {
+    const Stopwatch step;
     simulation.step();
+    summary.stepTimes.add(1e3 * step.milliseconds());
     telemetry.write(simulation);
+    stepped();
     progress.update(static_cast<std::size_t>(++summary.steps));
   }
   summary.timingsMs["motion"] += watch.milliseconds();
@@ -121,22 +128,68 @@ Performance achievedBy(const Simulation& simulation, const std::string& backend,
   return achieved;
 }
 
-void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
-                 const RunFolder& folder, RunSummary& summary) {
-  Telemetry telemetry(folder.path(), scene);
+/// A run at its start, or as a checkpoint has it.
+Simulation begun(const Scene& scene, const Sea& sea, const std::optional<Checkpoint>& from) {
+  Audience audience;
+  if (frameCount(scene) > 0) audience.cameras = scene.cameras;
+  if (from) return Simulation::resumed(scene, sea, audience, from->state);
   Simulation simulation(scene, sea);
-  if (frameCount(scene) > 0) simulation.attend({.cameras = scene.cameras, .places = {}});
-  telemetry.write(simulation);
+  if (frameCount(scene) > 0) simulation.attend(audience);
+  return simulation;
+}
+
+/// Writes checkpoints as often as is wanted.
+class Checkpoints {
+ public:
+  Checkpoints(const RunOptions& options, const Scene& scene, double start)
+      : path_(options.checkpoint), scene_(scene) {
+    if (options.checkpointEvery) interval_ = *options.checkpointEvery;
+    if (!path_.empty()) next_ = nextAfter(start);
+  }
+
+  void stepped(const Simulation& simulation, long long frames) {
+    if (simulation.time() < next_ * (1.0 - 1e-12)) return;
+    write(simulation, frames);
+    next_ = nextAfter(simulation.time());
+  }
+
+  void finish(const Simulation& simulation, long long frames) const {
+    if (!path_.empty()) write(simulation, frames);
+  }
+
+ private:
+  double nextAfter(double t) const { return interval_ * (std::floor(t / interval_ + 1e-9) + 1.0); }
+  void write(const Simulation& simulation, long long frames) const {
+    writeCheckpoint(path_, scene_, {simulation.time(), frames, simulation.state()});
+  }
+
+  std::filesystem::path path_;
+  const Scene& scene_;
+  double interval_ = std::numeric_limits<double>::infinity();
+  double next_ = std::numeric_limits<double>::infinity();
+};
+
+void sailAndDraw(const Scene& scene, const RunOptions& options, const Sea& sea,
+                 const std::optional<Checkpoint>& from, const RunFolder& folder,
+                 RunSummary& summary) {
+  const std::string& backend = options.backend;
+  Telemetry telemetry(folder.path(), scene);
+  Simulation simulation = begun(scene, sea, from);
+  if (!from) telemetry.write(simulation);
+  Checkpoints checkpoints(options, scene, simulation.time());
   Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
-  for (long long frame = 0; frame < frames; ++frame) {
+  for (long long frame = from ? from->frames : 0; frame < frames; ++frame) {
     const double t = static_cast<double>(frame) / scene.run.framesPerSecond;
-    sail(simulation, t, telemetry, summary, progress);
+    sail(simulation, t, telemetry, summary, progress,
+         [&] { checkpoints.stepped(simulation, frame); });
     cameras.draw(simulation.movedTo(std::max(t, simulation.time())), frame);
     progress.update(static_cast<std::size_t>(summary.steps));
   }
-  sail(simulation, scene.run.duration, telemetry, summary, progress);
+  sail(simulation, scene.run.duration, telemetry, summary, progress,
+       [&] { checkpoints.stepped(simulation, frames); });
+  checkpoints.finish(simulation, frames);
   telemetry.commit();
   summary.frames = frames;
   summary.achieved = achievedBy(simulation, backend, summary);
@@ -163,6 +216,16 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
   }
 }
 
+void requireCheckpointOptions(const RunOptions& options) {
+  if (options.checkpointEvery) {
+    requireInRange("--checkpoint-every", *options.checkpointEvery, Range::above(0.0), "s");
+    if (options.checkpoint.empty()) {
+      throw InputError("--checkpoint-every needs --checkpoint FILE to write to");
+    }
+  }
+  if (!options.checkpoint.empty()) requireWritableFile(options.checkpoint);
+}
+
 }  // namespace
 
 int runRun(const RunOptions& options, std::ostream& out) {
@@ -170,15 +233,19 @@ int runRun(const RunOptions& options, std::ostream& out) {
   const Scene scene = sceneFor(options);
   const long long frames = frameCount(scene);
   if (frames > 0) requireMemoryForPicture(scene.run.size);
-  const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
-                         scene, frames);
+  requireCheckpointOptions(options);
   const Stopwatch watch;
   RunSummary summary;
+  std::optional<Checkpoint> from;
+  if (!options.resume.empty()) from = readCheckpoint(options.resume, scene);
+  const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
+                         scene, frames);
   const Sea sea = buildSea(scene);
+  if (from) summary.resumedFrom = from->time;
   summary.timingsMs["sea"] = watch.milliseconds();
   summary.hm0Asked = sea.hm0Asked;
   summary.blocked = sea.blocked;
-  sailAndDraw(scene, options.backend, sea, folder, summary);
+  sailAndDraw(scene, options, sea, from, folder, summary);
   summary.wallSeconds = watch.milliseconds() / 1000.0;
   summary.timingsMs["total"] = watch.milliseconds();
   summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
@@ -215,6 +282,16 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
   addBackendOption(*command, options->backend);
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "file to write the run's state to, at its end and as --checkpoint-every says")
+      ->check(mustBeNamed);
+  command->add_option("--checkpoint-every", options->checkpointEvery,
+                      "simulated seconds between checkpoints; each replaces the last");
+  command->add_option("--resume", options->resume,
+                      "checkpoint to go on from, bit for bit: telemetry and frames are those after "
+                      "it, with the numbers that they would have had")
+      ->check(mustBeNamed);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");

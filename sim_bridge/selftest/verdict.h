@@ -18,7 +18,7 @@ struct Expectation {
   Expected status = Expected::either;
   /// Regular expression (ECMAScript) that standard output or standard error must match somewhere;
   /// empty: any.
-  std::string says;
+  std::string says = {};
   bool namesFile = false;  ///< a refusal must tell file and line: `FILE.yaml:LINE`
 };
 

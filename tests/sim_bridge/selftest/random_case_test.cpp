@@ -38,7 +38,9 @@ TEST(SceneGenerator, TriesEveryKeyOfScenesThatHasAnExample) {
     for (const auto& [key, value] : SceneGenerator(seed, examples()).scene().items()) ++given[key];
   }
   for (const KeyDescription& key : sceneSchema().describe()) {
-    if (!key.children.empty() || key.range) EXPECT_GT(given[key.key], 30) << key.key;
+    if (!key.children.empty() || key.range) {
+      EXPECT_GT(given[key.key], 30) << key.key;
+    }
   }
 }
 
