@@ -11,6 +11,7 @@
 #include "surface/disturbance/layers/layer_file.h"
 #include "surface/field/lattice_hash.h"
 #include "surface/input_error.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -280,5 +281,34 @@ void SceneDetail::report(double t, EffectLedger* ledger) const {
   decide(Effect::ripples, pools > 0, "a source of ripples is alive",
          "no source of ripples at this time", pools);
 }
+
+template <class Archive>
+void SceneDetail::archive(Archive& archive, double t) {
+  if constexpr (isReader<Archive>) {
+    for (auto* each : {&foam_, &smooth_, &oil_}) each->reset();
+    nextStroke_.reset();
+  }
+  archivePlain(archive, nextPatch_);
+  bool began = nextStroke_.has_value();
+  archivePlain(archive, began);
+  long long next = nextStroke_.value_or(0);
+  archivePlain(archive, next);
+  if (began) nextStroke_ = next;
+  for (const LayerKind kind : {LayerKind::foam, LayerKind::smooth, LayerKind::oil}) {
+    const auto& held = kind == LayerKind::foam     ? foam_
+                       : kind == LayerKind::smooth ? smooth_
+                                                   : oil_;
+    bool there = held.has_value();
+    archivePlain(archive, there);
+    if (there) layer(kind).archive(archive);
+  }
+  if constexpr (isReader<Archive>) {
+    for (RipplePool& pool : pools_) pool.advance(t);  // functions of time
+    detail_ = snapshot();
+  }
+}
+
+template void SceneDetail::archive(StateWriter&, double);
+template void SceneDetail::archive(StateReader&, double);
 
 }  // namespace seaway::bridge

@@ -46,6 +46,11 @@ class SceneDetail {
   /// As of the last `advance`; null where there is nothing.
   std::shared_ptr<const SurfaceDetail> detail() const { return detail_; }
 
+  /// Writes or reads the state as of time `t`, that of the last `advance`: see
+  /// surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive, double t);
+
  private:
   struct Patch {
     double time;

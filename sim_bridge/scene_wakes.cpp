@@ -10,6 +10,8 @@
 #include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/vessel/wake_footprint.h"
 #include "surface/constants.h"
+#include "surface/input_error.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -206,5 +208,39 @@ bool wakesReach(const Scene& scene, const Sea& sea, double t,
   }
   return false;
 }
+
+template <class Archive>
+void SceneWakes::archive(Archive& archive) {
+  bool runs = running_ != nullptr;
+  archivePlain(archive, runs);
+  if (!runs) {
+    running_ = nullptr;
+    return;
+  }
+  if constexpr (isReader<Archive>) {
+    running_ = std::make_shared<Running>(wakeSettings(*scene_, *sea_), sea_->surface);
+  }
+  archiveRow(archive, running_->handles);
+  if constexpr (isReader<Archive>) {
+    if (running_->handles.size() != scene_->vessels.size()) {
+      throw InputError("a checkpoint is of a scene with other vessels");
+    }
+    // In the order in which they once entered.
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < running_->handles.size(); ++i) {
+      if (running_->handles[i] != 0) order.push_back(i);
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return running_->handles[a] < running_->handles[b];
+    });
+    for (const std::size_t i : order) {
+      running_->system.addVessel(running_->handles[i], wakeFootprint(scene_->vessels[i].model));
+    }
+  }
+  running_->system.archive(archive);
+}
+
+template void SceneWakes::archive(StateWriter&);
+template void SceneWakes::archive(StateReader&);
 
 }  // namespace seaway::bridge

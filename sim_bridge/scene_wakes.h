@@ -47,6 +47,10 @@ class SceneWakes {
   /// How long vessels feel what another has done, s; 0 where none makes waves for another.
   double memory() const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct Running;
   const char* idleReason(std::span<const Vessel> vessels) const;

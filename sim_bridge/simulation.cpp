@@ -126,6 +126,10 @@ void Simulation::forEachPrescribed(Action action) {
 // What lies on the water and ripples it goes over the sea.
 void Simulation::disturb(double t, EffectLedger* ledger) {
   detail_.advance(t, vessels_, ledger);
+  showDetail();
+}
+
+void Simulation::showDetail() {
   disturbed_ = nullptr;
   if (!detail_.detail()) return;
   auto disturbed = std::make_shared<WaterSurface>(wakes_.surface());

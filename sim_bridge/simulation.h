@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim_bridge/scene/scene.h"
@@ -38,6 +39,13 @@ class Simulation {
       const Scene& scene, const Sea& sea, double t,
       const std::function<void(std::size_t done, std::size_t all)>& observe = {});
 
+  /// The state as a text of bytes, for the same build on the same machine.
+  std::string state() const;
+  /// A simulation in that state, which goes on bit for bit as the one that it was taken from, with
+  /// the same audience. Throws InputError for bytes that are cut off or of another scene.
+  static Simulation resumed(const Scene& scene, const Sea& sea, Audience audience,
+                            const std::string& state);
+
   /// From now on wakes are there for these too; by default vessels alone call for them.
   void attend(Audience audience, EffectLedger* ledger = nullptr);
 
@@ -69,6 +77,8 @@ class Simulation {
 
  private:
   Simulation(const Scene& scene, const Sea& sea, long long firstStep, EffectLedger* ledger);
+  template <class Archive>
+  void archive(Archive& archive);
   void countWater();
   void moveFree(double t, EffectLedger* ledger);
   void movePrescribed(double t, EffectLedger* ledger);
@@ -76,6 +86,7 @@ class Simulation {
   void requireSound(const Vessel& vessel, const SceneVessel& description, double t) const;
   void sampleAt(double t, EffectLedger* ledger);
   void disturb(double t, EffectLedger* ledger);
+  void showDetail();
   void sampleSurface(double t);
   void requireAfloat(double t);
   void advanceTo(double t, EffectLedger* ledger);

@@ -19,7 +19,9 @@
 #include "sim_bridge/commands/run.h"
 #include "sim_bridge/commands/sail.h"
 #include "sim_bridge/commands/schema_command.h"
+#include "sim_bridge/commands/selftest.h"
 #include "sim_bridge/commands/serve.h"
+#include "sim_bridge/commands/tune.h"
 #include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
 #include "sim_bridge/scene/schema.h"
@@ -32,7 +34,8 @@ namespace {
 constexpr AddCommand commands[] = {
     addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
     addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
-    addHullCommand, addSailCommand,  addSchemaCommand,
+    addHullCommand, addSailCommand,  addSchemaCommand, addSelftestCommand,
+    addTuneCommand,
 };
 
 constexpr int failed = 1;

@@ -10,6 +10,7 @@
 #include "render/headless_context.h"
 #include "sim_bridge/commands/cost_report.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/cost/calibration.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/number_text.h"
@@ -36,8 +37,9 @@ nlohmann::ordered_json asJson(const std::vector<Study>& studies, const std::stri
                     {"unit_error", study.unitError},
                     {"unit_cost", study.unitCost},
                     {"points", std::move(points)}});
+    if (!study.chosen.empty()) list.back()["chosen"] = study.chosen;
   }
-  return {{"scene", scene}, {"studies", std::move(list)}};
+  return {{"scene", scene}, {"machine", machineLine()}, {"studies", std::move(list)}};
 }
 
 void writeCsv(const std::vector<Study>& studies, std::ostream& out) {
@@ -74,9 +76,11 @@ int runCost(const CostOptions& options, std::ostream& out) {
   const Sea sea = buildSea(scene);
   const StudyOptions studyOptions{.quick = options.quick, .backend = options.backend};
   std::vector<Study> studies;
+  Calibration calibration;
   {
-    Progress progress("cost", 8);
-    studies.push_back(studyQueryOctaves(sea, studyOptions));
+    Progress progress("cost", 9);
+    studies.push_back(studyQueryOctaves(scene, sea, studyOptions));
+    studies.push_back(studyQueryWays(sea, studyOptions));
     progress.update(1);
     for (Study& study : studyFieldModels(sea, studyOptions)) studies.push_back(std::move(study));
     progress.update(2);
@@ -101,13 +105,16 @@ int runCost(const CostOptions& options, std::ostream& out) {
     progress.update(7);
     for (Study& study : studyWakes(scene, studyOptions)) studies.push_back(std::move(study));
     progress.update(8);
+    calibration = calibrate(sea, studyOptions);
+    progress.update(9);
   }
-  const nlohmann::ordered_json json = asJson(studies, options.scene);
+  nlohmann::ordered_json json = asJson(studies, options.scene);
+  json["calibration"] = asJson(calibration);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv"),
       report(folder / "report.html");
   jsonFile.stream() << json.dump(2) << '\n';
   writeCsv(studies, csvFile.stream());
-  report.stream() << costReport(studies, options.scene);
+  report.stream() << costReport(studies, calibration, options.scene);
   jsonFile.commit();
   csvFile.commit();
   report.commit();

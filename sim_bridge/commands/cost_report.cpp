@@ -27,6 +27,18 @@ void addCurves(const Study& study, const std::string& label, Abscissa abscissa, 
   plot.curves.push_back(curve);
 }
 
+/// The point of the scene's own setting.
+template <typename Abscissa>
+void addChosen(const Study& study, Abscissa abscissa, Plot& plot) {
+  for (const CostPoint& point : study.points) {
+    if (point.setting != study.chosen) continue;
+    plot.curves.push_back({"the scene's: " + point.setting,
+                           {onLogarithm(abscissa(point))},
+                           {onLogarithm(point.error)},
+                           CurveStyle::points});
+  }
+}
+
 double costOf(const CostPoint& point) { return point.cost; }
 double dialOf(const CostPoint& point) { return point.dial; }
 
@@ -50,6 +62,7 @@ void addStudy(const Study& study, HtmlPage& page) {
   plot.x = {"cost, " + study.unitCost, true};
   plot.y = {"error, " + study.unitError, true};
   addCurves(study, study.name, costOf, plot);
+  addChosen(study, costOf, plot);
   page.figure(svgOf(plot), "Error against cost.");
 }
 
@@ -65,6 +78,7 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
     byCost.x = {"cost, " + study.unitCost, true};
     addCurves(study, label, dialOf, byGrid);
     addCurves(study, label, costOf, byCost);
+    if (study.name == "image_position_grid") addChosen(study, costOf, byCost);
   }
   if (byGrid.curves.empty()) return;
   page.heading("Pictures: pixel and metre errors");
@@ -74,15 +88,17 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
 
 }  // namespace
 
-std::string costReport(const std::vector<Study>& studies, const std::string& scene) {
+std::string costReport(const std::vector<Study>& studies, const Calibration& calibration,
+                       const std::string& scene) {
   HtmlPage page("Seaway: what accuracy costs");
   page.paragraph("Scene " + scene +
-                 ", measured on this machine in one process. Costs are medians; "
+                 ", measured in one process on " + machineLine() + ". Costs are medians; "
                  "after ± stands half the distance between quartiles.");
   addPictures(studies, page);
   for (const Study& study : studies) {
     if (!study.points.empty()) addStudy(study, page);
   }
+  addCalibration(calibration, page);
   return page.text();
 }
 

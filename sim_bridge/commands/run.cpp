@@ -5,18 +5,24 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <limits>
 
 #include "render/headless_context.h"
 #include "render/technique_choice.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/commands/run_output.h"
+#include "sim_bridge/cost/tuning.h"
+#include "sim_bridge/output/checkpoint.h"
 #include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
+#include "surface/input_error.h"
 
 namespace seaway::bridge {
 namespace {
@@ -80,34 +86,113 @@ long long frameCount(const Scene& scene) {
 
 // Whole steps up to `t`, a row of telemetry each.
 void sail(Simulation& simulation, double t, Telemetry& telemetry, RunSummary& summary,
-          Progress& progress) {
+          Progress& progress, const std::function<void()>& stepped) {
   const Stopwatch watch;
   while (simulation.nextTime() <= t * (1.0 + 1e-12)) {
+    const Stopwatch step;
     simulation.step();
+    summary.stepTimes.add(1e3 * step.milliseconds());
     telemetry.write(simulation);
+    stepped();
     progress.update(static_cast<std::size_t>(++summary.steps));
   }
   summary.timingsMs["motion"] += watch.milliseconds();
 }
 
-void sailAndDraw(const Scene& scene, const std::string& backend, const Sea& sea,
-                 const RunFolder& folder, RunSummary& summary) {
-  Telemetry telemetry(folder.path(), scene);
+/// What a run did of what was foreseen: pictures and queries are held against the truth at its end.
+Performance achievedBy(const Simulation& simulation, const std::string& backend,
+                       const RunSummary& summary) {
+  Performance achieved;
+  const Scene& scene = simulation.scene();
+  const Performance& foreseen = scene.tuned;
+  const auto mean = [&](const char* stage, double count) -> std::optional<double> {
+    const auto found = summary.timingsMs.find(stage);
+    if (found == summary.timingsMs.end() || count <= 0.0) return std::nullopt;
+    return found->second / count;
+  };
+  if (foreseen.height || foreseen.query) {
+    const Setting queries = measureQueries(scene, simulation.sea(), simulation.time());
+    achieved.height = queries.error;
+    achieved.query = queries.cost;
+  }
+  if (foreseen.frame) {
+    achieved.frame =
+        mean("draw", static_cast<double>(summary.frames) * static_cast<double>(scene.cameras.size()));
+  }
+  if (foreseen.position && achieved.frame) {
+    achieved.position = measurePosition(scene, simulation, backend);
+  }
+  if (const auto step = mean("motion", static_cast<double>(summary.steps)); foreseen.step && step) {
+    achieved.step = 1e3 * *step;
+  }
+  return achieved;
+}
+
+/// A run at its start, or as a checkpoint has it.
+Simulation begun(const Scene& scene, const Sea& sea, const std::optional<Checkpoint>& from) {
+  Audience audience;
+  if (frameCount(scene) > 0) audience.cameras = scene.cameras;
+  if (from) return Simulation::resumed(scene, sea, audience, from->state);
   Simulation simulation(scene, sea);
-  if (frameCount(scene) > 0) simulation.attend({.cameras = scene.cameras, .places = {}});
-  telemetry.write(simulation);
+  if (frameCount(scene) > 0) simulation.attend(audience);
+  return simulation;
+}
+
+/// Writes checkpoints as often as is wanted.
+class Checkpoints {
+ public:
+  Checkpoints(const RunOptions& options, const Scene& scene, double start)
+      : path_(options.checkpoint), scene_(scene) {
+    if (options.checkpointEvery) interval_ = *options.checkpointEvery;
+    if (!path_.empty()) next_ = nextAfter(start);
+  }
+
+  void stepped(const Simulation& simulation, long long frames) {
+    if (simulation.time() < next_ * (1.0 - 1e-12)) return;
+    write(simulation, frames);
+    next_ = nextAfter(simulation.time());
+  }
+
+  void finish(const Simulation& simulation, long long frames) const {
+    if (!path_.empty()) write(simulation, frames);
+  }
+
+ private:
+  double nextAfter(double t) const { return interval_ * (std::floor(t / interval_ + 1e-9) + 1.0); }
+  void write(const Simulation& simulation, long long frames) const {
+    writeCheckpoint(path_, scene_, {simulation.time(), frames, simulation.state()});
+  }
+
+  std::filesystem::path path_;
+  const Scene& scene_;
+  double interval_ = std::numeric_limits<double>::infinity();
+  double next_ = std::numeric_limits<double>::infinity();
+};
+
+void sailAndDraw(const Scene& scene, const RunOptions& options, const Sea& sea,
+                 const std::optional<Checkpoint>& from, const RunFolder& folder,
+                 RunSummary& summary) {
+  const std::string& backend = options.backend;
+  Telemetry telemetry(folder.path(), scene);
+  Simulation simulation = begun(scene, sea, from);
+  if (!from) telemetry.write(simulation);
+  Checkpoints checkpoints(options, scene, simulation.time());
   Cameras cameras(scene, backend, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
-  for (long long frame = 0; frame < frames; ++frame) {
+  for (long long frame = from ? from->frames : 0; frame < frames; ++frame) {
     const double t = static_cast<double>(frame) / scene.run.framesPerSecond;
-    sail(simulation, t, telemetry, summary, progress);
+    sail(simulation, t, telemetry, summary, progress,
+         [&] { checkpoints.stepped(simulation, frame); });
     cameras.draw(simulation.movedTo(std::max(t, simulation.time())), frame);
     progress.update(static_cast<std::size_t>(summary.steps));
   }
-  sail(simulation, scene.run.duration, telemetry, summary, progress);
+  sail(simulation, scene.run.duration, telemetry, summary, progress,
+       [&] { checkpoints.stepped(simulation, frames); });
+  checkpoints.finish(simulation, frames);
   telemetry.commit();
   summary.frames = frames;
+  summary.achieved = achievedBy(simulation, backend, summary);
 }
 
 void writeReport(const Scene& scene, const RunSummary& summary, const std::string& json,
@@ -122,6 +207,23 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
       folder.path().string(), scene.run.duration, summary.wallSeconds,
       scene.run.duration / summary.wallSeconds, summary.frames, scene.cameras.size(),
       summary.hm0Asked, summary.hm0Realised);
+  const auto foreseen = performanceJson(scene.tuned), achieved = performanceJson(summary.achieved);
+  for (const auto& [key, value] : foreseen.items()) {
+    out << fmt::format("{}: foreseen {:.4g}, {}\n", key, value.get<double>(),
+                       achieved.contains(key)
+                           ? fmt::format("achieved {:.4g}", achieved[key].get<double>())
+                           : "not measured");
+  }
+}
+
+void requireCheckpointOptions(const RunOptions& options) {
+  if (options.checkpointEvery) {
+    requireInRange("--checkpoint-every", *options.checkpointEvery, Range::above(0.0), "s");
+    if (options.checkpoint.empty()) {
+      throw InputError("--checkpoint-every needs --checkpoint FILE to write to");
+    }
+  }
+  if (!options.checkpoint.empty()) requireWritableFile(options.checkpoint);
 }
 
 }  // namespace
@@ -131,15 +233,19 @@ int runRun(const RunOptions& options, std::ostream& out) {
   const Scene scene = sceneFor(options);
   const long long frames = frameCount(scene);
   if (frames > 0) requireMemoryForPicture(scene.run.size);
-  const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
-                         scene, frames);
+  requireCheckpointOptions(options);
   const Stopwatch watch;
   RunSummary summary;
+  std::optional<Checkpoint> from;
+  if (!options.resume.empty()) from = readCheckpoint(options.resume, scene);
+  const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
+                         scene, frames);
   const Sea sea = buildSea(scene);
+  if (from) summary.resumedFrom = from->time;
   summary.timingsMs["sea"] = watch.milliseconds();
   summary.hm0Asked = sea.hm0Asked;
   summary.blocked = sea.blocked;
-  sailAndDraw(scene, options.backend, sea, folder, summary);
+  sailAndDraw(scene, options, sea, from, folder, summary);
   summary.wallSeconds = watch.milliseconds() / 1000.0;
   summary.timingsMs["total"] = watch.milliseconds();
   summary.hm0Realised = realisedSignificantWaveHeight(sea.surface);
@@ -176,6 +282,16 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
   addBackendOption(*command, options->backend);
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "file to write the run's state to, at its end and as --checkpoint-every says")
+      ->check(mustBeNamed);
+  command->add_option("--checkpoint-every", options->checkpointEvery,
+                      "simulated seconds between checkpoints; each replaces the last");
+  command->add_option("--resume", options->resume,
+                      "checkpoint to go on from, bit for bit: telemetry and frames are those after "
+                      "it, with the numbers that they would have had")
+      ->check(mustBeNamed);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
       "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");

@@ -17,6 +17,8 @@ struct RunOptions {
   std::string size;  ///< WxH
   std::optional<std::int64_t> seed;
   std::string backend = "osmesa";  ///< osmesa, egl or egl:N
+  std::string checkpoint, resume;         ///< files; empty: none
+  std::optional<double> checkpointEvery;  ///< s
   bool json = false;
 };
 

@@ -1,14 +1,18 @@
 #include "sim_bridge/commands/run_output.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 
 #include "sim_bridge/commands/blocked_octaves_json.h"
+#include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/output/atomic_file.h"
 #include "sim_bridge/output/telemetry.h"
 
@@ -89,7 +93,31 @@ nlohmann::ordered_json filesOf(const Scene& scene, long long frames) {
   return {{"telemetry", telemetryFiles(scene)}, {"cameras", cameras}, {"frames", frames}};
 }
 
+std::size_t peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
 }  // namespace
+
+void StepTimes::add(double microseconds) {
+  const double bin = std::log(std::max(microseconds, shortest) / shortest) / width;
+  ++counts_[std::min(static_cast<std::size_t>(bin), counts_.size() - 1)];
+}
+
+double StepTimes::percentile(double share) const {
+  const std::uint64_t all = std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+  const double wanted = share * static_cast<double>(all);
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; all > 0 && i < counts_.size(); ++i) {
+    below += counts_[i];
+    if (below > 0 && static_cast<double>(below) >= wanted) {
+      return shortest * std::exp(width * static_cast<double>(i + 1));
+    }
+  }
+  return 0.0;
+}
 
 RunFolder::RunFolder(fs::path folder, const Scene& scene, long long frames)
     : folder_(std::move(folder)) {
@@ -141,6 +169,15 @@ std::string RunSummary::json(const Scene& scene) const {
                   {"wall_s", wallSeconds},
                   {"timings_ms", timingsMs},
                   {"passes_ms", passesMs}});
+  if (resumedFrom) summary["resumed_from_s"] = *resumedFrom;
+  summary["step_us"] = {{"p50", stepTimes.percentile(0.5)},
+                        {"p99", stepTimes.percentile(0.99)},
+                        {"most", stepTimes.percentile(1.0)}};
+  summary["peak_memory_bytes"] = peakMemory();
+  if (scene.tuned.any()) {
+    summary["tuned"] = {{"foreseen", performanceJson(scene.tuned)},
+                        {"achieved", performanceJson(achieved)}};
+  }
   return summary.dump(2) + "\n";
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +42,18 @@ class RunFolder {
   std::vector<std::string> cameras_;
 };
 
+/// How long steps took, counted in classes 2 % wide: of a fixed size for any number of steps.
+class StepTimes {
+ public:
+  void add(double microseconds);
+  /// The time that `share` of the steps took at most, within 2 %; 0 without steps.
+  double percentile(double share) const;
+
+ private:
+  static constexpr double shortest = 0.1, width = 0.02;  // µs; of a class, in the logarithm
+  std::array<std::uint64_t, 1200> counts_{};
+};
+
 /// What a run did, for summary.json.
 struct RunSummary {
   double hm0Asked = 0.0;               ///< m
@@ -50,6 +65,9 @@ struct RunSummary {
   std::map<std::string, double> timingsMs;  ///< totals by stage
   std::map<std::string, double> passesMs;   ///< totals of the technique's passes
   render::FrameStats lastFrame;
+  StepTimes stepTimes;
+  std::optional<double> resumedFrom;    ///< time of the checkpoint, s
+  Performance achieved;  ///< what of the scene's `tuned` was measured
 
   std::string json(const Scene& scene) const;
 };

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "render/technique_choice.h"
 #include "sim_bridge/cost/image_truth.h"
 #include "sim_bridge/cost/study.h"
@@ -17,7 +20,9 @@ Drawn draw(const ImageTruth& truth, const render::TechniqueChoice& choice, std::
            const StudyOptions& options) {
   const auto technique = render::makeTechnique(choice);
   render::Frame frame;
-  Drawn drawn{std::move(setting), static_cast<double>(choice.grid.x), {}, {}};
+  // Vertices a side of a square of as many.
+  const double side = std::sqrt(static_cast<double>(choice.grid.x) * choice.grid.y);
+  Drawn drawn{std::move(setting), side, {}, {}};
   drawn.timing =
       timeRepeated([&] { frame = technique->draw(truth.view()); }, options.quick ? 3 : 5);
   drawn.errors = truth.errorsOf(frame);
@@ -29,9 +34,12 @@ void add(const Drawn& drawn, double error, Study& study) {
       {drawn.setting, error, 1e3 * drawn.timing.median, 1e3 * drawn.timing.spread, drawn.dial});
 }
 
-std::string sides(int side) { return std::to_string(side) + "x" + std::to_string(side); }
+std::string sizeText(glm::ivec2 size) {
+  return std::to_string(size.x) + "x" + std::to_string(size.y);
+}
 
-std::vector<Study> studyGrids(const ImageTruth& truth, const StudyOptions& options) {
+std::vector<Study> studyGrids(const ImageTruth& truth, glm::ivec2 own,
+                              const StudyOptions& options) {
   Study place{
       "image_position_grid",
       "place of the surface in the picture, rms away from silhouettes; truth: a ray through "
@@ -52,13 +60,20 @@ std::vector<Study> studyGrids(const ImageTruth& truth, const StudyOptions& optio
                {}};
   const std::vector<int> grids = options.quick ? std::vector<int>{32, 128, 512}
                                                : std::vector<int>{32, 64, 128, 256, 512, 1024};
-  for (const int side : grids) {
-    const Drawn drawn = draw(truth, {.grid = {side, side}, .backend = options.backend},
-                             "grid " + sides(side), options);
+  std::vector<glm::ivec2> all;
+  for (const int side : grids) all.push_back({side, side});
+  if (std::find(all.begin(), all.end(), own) == all.end()) all.push_back(own);
+  std::stable_sort(all.begin(), all.end(), [](const glm::ivec2& a, const glm::ivec2& b) {
+    return a.x * a.y < b.x * b.y;
+  });
+  for (const glm::ivec2& grid : all) {
+    const Drawn drawn =
+        draw(truth, {.grid = grid, .backend = options.backend}, "grid " + sizeText(grid), options);
     add(drawn, drawn.errors.position, place);
     add(drawn, drawn.errors.depth, depth);
     add(drawn, drawn.errors.height, height);
   }
+  for (Study* study : {&place, &depth, &height}) study->chosen = "grid " + sizeText(own);
   return {place, depth, height};
 }
 
@@ -81,7 +96,7 @@ std::vector<Study> studyTechniques(const ImageTruth& truth, const StudyOptions& 
   for (const char* technique : {"projected_grid", "radial_grid", "post_process"}) {
     for (const int side : grids) {
       Drawn drawn = draw(truth, {.technique = technique, .grid = {side, side}},
-                         std::string(technique) + " " + sides(side), options);
+                         std::string(technique) + " " + sizeText({side, side}), options);
       drawn.dial = 0.0;
       add(drawn, drawn.errors.position, place);
       add(drawn, drawn.errors.depth, depth);
@@ -95,7 +110,7 @@ std::vector<Study> studyTechniques(const ImageTruth& truth, const StudyOptions& 
 std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOptions& options) {
   const ImageTruth truth(scene, sea, options);
   if (!truth.showsWater()) return {};
-  std::vector<Study> studies = studyGrids(truth, options);
+  std::vector<Study> studies = studyGrids(truth, scene.accuracy.grid, options);
   for (Study& study : studyTechniques(truth, options)) studies.push_back(std::move(study));
   return studies;
 }

@@ -1,11 +1,16 @@
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "sim_bridge/cost/study.h"
+#include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
+#include "surface/parallel_sampling.h"
 
 namespace seaway::bridge {
 namespace {
+
+constexpr std::size_t batch = 1024;
 
 std::vector<glm::dvec2> randomPoints(std::size_t count) {
   std::mt19937_64 random(1);
@@ -23,13 +28,12 @@ double rmsDifference(const std::vector<SurfaceSample>& a, const std::vector<Surf
 
 }  // namespace
 
-Study studyQueryOctaves(const Sea& sea, const StudyOptions& options) {
+Study studyQueryOctaves(const Scene& scene, const Sea& sea, const StudyOptions& options) {
   Study study{"query_octaves",
               "height of random points within 10 km, batches of 1024; truth: all octaves",
               "m",
               "ns/point",
               {}};
-  constexpr std::size_t batch = 1024;
   const WaterSurface& water = sea.surface;
   const auto points = randomPoints(options.quick ? 8 * batch : 32 * batch);
   std::vector<SurfaceSample> truth(points.size()), samples(points.size());
@@ -52,6 +56,42 @@ Study studyQueryOctaves(const Sea& sea, const StudyOptions& options) {
                             timing.median * perPoint, timing.spread * perPoint,
                             static_cast<double>(kept)});
   }
+  study.chosen =
+      "octaves " + std::to_string(water.waves().octavesFor(scene.accuracy.motionTolerance));
+  return study;
+}
+
+Study studyQueryWays(const Sea& sea, const StudyOptions& options) {
+  Study study{"query_ways",
+              "the same heights asked for in different ways; largest difference from the field in "
+              "double precision",
+              "m",
+              "ns/point",
+              {}};
+  const WaveField& waves = sea.surface.waves();
+  const WaterSurface water{waves};
+  const auto points = randomPoints(options.quick ? 8 * batch : 32 * batch);
+  std::vector<SurfaceSample> truth(points.size()), samples(points.size());
+  constexpr double time = 12.0;
+  waves.sampleReference(points, time, truth);
+  const auto add = [&](const std::string& setting, const std::function<void()>& work) {
+    const Timing timing = timeRepeated(work, options.quick ? 3 : 9);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      largest = std::max(largest, std::abs(samples[i].height - truth[i].height));
+    }
+    const double perPoint = 1e9 / static_cast<double>(points.size());
+    study.points.push_back({setting, largest, timing.median * perPoint, timing.spread * perPoint});
+  };
+  add("double precision", [&] { waves.sampleReference(points, time, samples); });
+  for (const std::size_t size : {std::size_t{1}, std::size_t{8}, std::size_t{64}, batch}) {
+    add("batches of " + std::to_string(size), [&] {
+      for (std::size_t i = 0; i < points.size(); i += size) {
+        water.sample(std::span(points).subspan(i, size), time, std::span(samples).subspan(i, size));
+      }
+    });
+  }
+  add("all threads", [&] { sampleInParallel(water.at(time), points, samples); });
   return study;
 }
 

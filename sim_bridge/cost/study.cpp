@@ -2,8 +2,23 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <thread>
 
 namespace seaway::bridge {
+
+std::string machineLine() {
+  std::string model = "an unnamed processor";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != line.npos) {
+      model = line.substr(colon + 2);
+      break;
+    }
+  }
+  return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
+}
 
 Timing timeRepeated(const std::function<void()>& work, int repetitions) {
   using Clock = std::chrono::steady_clock;

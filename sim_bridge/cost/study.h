@@ -26,6 +26,7 @@ struct Study {
   std::string unitError;
   std::string unitCost;
   std::vector<CostPoint> points;
+  std::string chosen = {};  ///< the setting that the scene has; empty: it has none of them
 };
 
 struct StudyOptions {
@@ -39,11 +40,19 @@ struct Timing {
   double spread = 0.0;
 };
 
+/// What costs were measured on: processor, threads, graphics.
+std::string machineLine();
+
 /// Runs `work` once to warm up and `repetitions` ≥ 3 times under the clock; seconds a run.
 Timing timeRepeated(const std::function<void()>& work, int repetitions);
 
-/// Height error (m rms) against ns a point, by number of octaves kept. Truth: all octaves.
-Study studyQueryOctaves(const Sea& sea, const StudyOptions& options);
+/// Height error (m rms) against ns a point, by number of octaves kept. Truth: all octaves. `scene`
+/// has `sea`: its tolerance is the setting that is marked.
+Study studyQueryOctaves(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
+/// The same heights by the ways to ask for them: in double precision, singly, in batches, by many
+/// threads; largest difference from double precision (m) against ns a point.
+Study studyQueryWays(const Sea& sea, const StudyOptions& options);
 
 /// Two studies of other ways to make the scene's sea beside the wave field, ns a point: residual of
 /// the spectrum each stands for, and height error (m rms) against its own exact field.

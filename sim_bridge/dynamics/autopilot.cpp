@@ -6,6 +6,7 @@
 
 #include "surface/angles.h"
 #include "surface/constants.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -60,5 +61,14 @@ Helm Autopilot::steer(const View& view, double dt, const Propeller& propeller,
   helm.rudder = std::clamp(-settings_.headingGain * (turn - damping * view.turnRate), -most, most);
   return helm;
 }
+
+template <class Archive>
+void Autopilot::archive(Archive& archive) {
+  archivePlain(archive, next_);
+  archivePlain(archive, revolutions_);
+}
+
+template void Autopilot::archive(StateWriter&);
+template void Autopilot::archive(StateReader&);
 
 }  // namespace seaway::bridge

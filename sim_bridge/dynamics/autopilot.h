@@ -40,6 +40,10 @@ class Autopilot {
   /// Distance from the leg, positive to port of it, m; 0 without waypoints.
   double crossTrack(glm::dvec2 position) const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   glm::dvec2 legStart() const;
   glm::dvec2 legEnd() const;

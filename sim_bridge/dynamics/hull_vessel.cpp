@@ -7,6 +7,7 @@
 
 #include "surface/angles.h"
 #include "surface/constants.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -138,5 +139,20 @@ void HullVessel::subStep(double dt, const WaterSurface& water) {
   motion_.worldFromBody = glm::normalize(motion_.worldFromBody * turn);
   motion_.position += dt * motion_.velocity;
 }
+
+template <class Archive>
+void HullVessel::archive(Archive& archive) {
+  archivePlain(archive, motion_);
+  archivePlain(archive, helm_);
+  archivePlain(archive, rudder_);
+  archivePlain(archive, time_);
+  if (autopilot_) autopilot_->archive(archive);
+  archivePlain(archive, settings_.loads.ownWake);
+  archivePlain(archive, loads_);
+  archivePlain(archive, status_);
+}
+
+template void HullVessel::archive(StateWriter&);
+template void HullVessel::archive(StateReader&);
 
 }  // namespace seaway::bridge

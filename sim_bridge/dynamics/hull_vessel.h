@@ -77,6 +77,10 @@ class HullVessel {
   /// Bytes it holds; the hull, which others may share, included.
   std::size_t memoryBytes() const { return hull_->memoryBytes() + scratch_.memoryBytes(); }
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   void subStep(double dt, const WaterSurface& water);
   void steer(double dt, const glm::dvec3& speed);

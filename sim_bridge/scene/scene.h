@@ -182,11 +182,23 @@ struct WakeAccuracy {
   int most = 8;
 };
 
+/// Errors and costs: what `seaway tune` is asked for, what it foresees, what a run achieved.
+struct Performance {
+  std::optional<double> height;    ///< error of heights, one standard deviation, m
+  std::optional<double> position;  ///< error of the sea's place in pictures, rms, px
+  std::optional<double> query;     ///< of a height in large batches, ns a point
+  std::optional<double> frame;     ///< of a frame, mean of the cameras, ms
+  std::optional<double> step;      ///< of a step of the vessels, µs
+
+  bool any() const { return height || position || query || frame || step; }
+};
+
 struct Accuracy {
   double motionTolerance = 0.0;  ///< height that vessels' samples may leave out, m (1 σ)
   glm::ivec2 grid{256, 256};     ///< vertices of the projected grid, across and along
   LayerAccuracy layers;
   WakeAccuracy wakes;
+  Performance wanted;  ///< height and position alone
 };
 
 struct RunSettings {
@@ -211,6 +223,8 @@ struct Scene {
   std::vector<SceneLamp> lamps;
   EffectSettings effects{};
   Accuracy accuracy;
+  Performance budget;  ///< query, frame and step alone
+  Performance tuned;   ///< what `seaway tune` foresaw with these settings
   RunSettings run;
 };
 

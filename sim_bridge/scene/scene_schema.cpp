@@ -83,6 +83,7 @@ Mapping<EffectSettings> effectsSchema() {
         Need::optional,
         std::string(effect.summary) + "; auto: when " + std::string(effect.calledForWhen),
         {}};
+    description.words = {"auto", "on", "off"};
     fields.push_back(
         {std::move(description), [index](EffectSettings& target, const YamlValue& value) {
            const bool scalar = value.kind == YamlValue::Kind::scalar;
@@ -100,6 +101,23 @@ Mapping<EffectSettings> effectsSchema() {
   return Mapping<EffectSettings>(std::move(fields));
 }
 
+Field<Performance> heightError() {
+  return number("height_m", &Performance::height, "m", Range::atLeast(0.0),
+                "error of heights, one standard deviation, for `seaway tune`");
+}
+
+Field<Performance> pictureError() {
+  return number("pixel", &Performance::position, "px", Range::atLeast(0.0),
+                "error of the sea's place in pictures, rms, for `seaway tune`");
+}
+
+std::vector<Field<Performance>> costFields() {
+  using P = Performance;
+  return {number("query_ns", &P::query, "ns", Range::above(0.0), "a point's height in batches"),
+          number("frame_ms", &P::frame, "ms", Range::above(0.0), "a frame, mean of the cameras"),
+          number("step_us", &P::step, "µs", Range::above(0.0), "a step of the vessels")};
+}
+
 Mapping<Accuracy> accuracySchema() {
   using W = WakeAccuracy;
   const Mapping<W> wakes({
@@ -111,14 +129,30 @@ Mapping<Accuracy> accuracySchema() {
              "2ⁿ cells; 0: 2048 cell_m"),
       integer("most", &W::most, 0, 1000, "wakes that run at once: those nearest to who is near"),
   });
-  return Mapping<Accuracy>({
+  std::vector<Field<Accuracy>> fields{
       number("motion_tolerance_m", &Accuracy::motionTolerance, "m", Range::atLeast(0.0),
              "height that vessels' samples of the sea may leave out, one standard deviation"),
       vector("grid", &Accuracy::grid, "", Range::within(2, 4096),
              "vertices of the projected grid, across and along"),
       mapping("layers", &Accuracy::layers, layerAccuracySchema(), "foam, smoothed water and oil"),
       mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
-  });
+  };
+  for (Field<Performance>& field : std::vector{heightError(), pictureError()}) {
+    fields.push_back({field.description, [read = field.read](Accuracy& target,
+                                                             const YamlValue& value) {
+                        read(target.wanted, value);
+                      }});
+  }
+  return Mapping<Accuracy>(std::move(fields));
+}
+
+Mapping<Performance> budgetSchema() { return Mapping<Performance>(costFields()); }
+
+Mapping<Performance> tunedSchema() {
+  std::vector<Field<Performance>> fields = costFields();
+  fields.push_back(heightError());
+  fields.push_back(pictureError());
+  return Mapping<Performance>(std::move(fields));
 }
 
 Mapping<RunSettings> runSchema() {
@@ -151,6 +185,10 @@ const Mapping<Scene>& sceneSchema() {
       list("lights", &Scene::lamps, lampSchema(placeSchema()), "lamps: shown when it is dusk or dark"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),
+      mapping("budget", &Scene::budget, budgetSchema(), "what `seaway tune` may spend"),
+      mapping("tuned", &Scene::tuned, tunedSchema(),
+              "what `seaway tune` foresaw on its machine; `seaway run` sets beside it what it "
+              "achieves"),
       mapping("run", &Scene::run, runSchema(), "defaults of `seaway run`"),
   });
   return schema;

@@ -56,6 +56,9 @@ struct KeyDescription {
   Need need = Need::optional;
   std::string summary;
   std::vector<KeyDescription> children;  ///< keys of a mapping, or of each mapping in a list
+  std::optional<Range> range{};          ///< of numbers, whole ones too
+  std::vector<std::string> words{};      ///< that a word may be
+  int components = 0;                    ///< of a list of numbers
 };
 
 /// One key: its description and how it fills a `T`.

@@ -23,6 +23,7 @@ Field<T> number(std::string key, M T::*member, std::string unit, Range range, st
                 Need need = Need::optional) {
   KeyDescription description{std::move(key), "number",           unit, range.text(), "",
                              need,           std::move(summary), {}};
+  description.range = range;
   if (need == Need::optional) description.defaultText = detail::defaultOf(T{}.*member);
   return {std::move(description), [=](T& target, const YamlValue& value) {
             target.*member = readNumber(value, range, unit);
@@ -35,6 +36,7 @@ requires std::is_integral_v<I> Field<T> integer(std::string key, I T::*member, s
                                                 Need need = Need::optional) {
   KeyDescription description{std::move(key), "integer", "", "", "", need, std::move(summary), {}};
   description.allowed = "[" + std::to_string(least) + ", " + std::to_string(most) + "]";
+  description.range = Range::within(static_cast<double>(least), static_cast<double>(most));
   if (need == Need::optional) description.defaultText = std::to_string(T{}.*member);
   return {std::move(description), [=](T& target, const YamlValue& value) {
             target.*member = static_cast<I>(readInteger(value, least, most));
@@ -71,6 +73,7 @@ Field<T> choice(std::string key, M T::*member, std::vector<std::pair<std::string
     description.allowed += (description.allowed.empty() ? "" : ", ") + word;
     if (need == Need::optional && T{}.*member == meaning) description.defaultText = word;
   }
+  description.words = words;
   return {std::move(description),
           [member, words, choices = std::move(choices)](T& target, const YamlValue& value) {
             for (const auto& [word, meaning] : choices) {
@@ -93,6 +96,8 @@ Field<T> vector(std::string key, V T::*member, std::string unit, Range range, st
                              (std::is_integral_v<Component> ? " whole numbers" : " numbers");
   KeyDescription description{std::move(key),     wanted, unit, range.text(), "", need,
                              std::move(summary), {}};
+  description.range = range;
+  description.components = size;
   if (need == Need::optional) {
     const V initial = T{}.*member;
     for (int i = 0; i < size; ++i) {

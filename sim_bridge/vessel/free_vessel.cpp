@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "surface/angles.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 
@@ -83,5 +84,17 @@ void FreeVessel::readWater(const WaterSurface& water, std::uint32_t ownWake) {
 std::size_t FreeVessel::memoryBytes() const {
   return sizeof(FreeVessel) + body_.memoryBytes() + track_.memoryBytes();
 }
+
+template <class Archive>
+void FreeVessel::archive(Archive& archive) {
+  body_.archive(archive);
+  track_.archive(archive);
+  archivePlain(archive, waterHeight_);
+  archivePlain(archive, submergedVolume_);
+  archivePlain(archive, status_);
+}
+
+template void FreeVessel::archive(StateWriter&);
+template void FreeVessel::archive(StateReader&);
 
 }  // namespace seaway::bridge

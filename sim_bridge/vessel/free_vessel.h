@@ -42,6 +42,10 @@ class FreeVessel {
 
   std::size_t memoryBytes() const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   void notePlace();
 

@@ -7,6 +7,7 @@
 
 #include "render/camera.h"
 #include "surface/constants.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -169,5 +170,18 @@ void PrescribedVessel::advanceUpright(double t, std::span<const SurfaceSample> w
   heave_ = roll_ = pitch_ = {};
   submergedVolume_ = buoyancy(course_.at(t).direction, 1.0).volume;
 }
+
+template <class Archive>
+void PrescribedVessel::archive(Archive& archive) {
+  archivePlain(archive, time_);
+  for (Motion* motion : {&heave_, &roll_, &pitch_}) archivePlain(archive, *motion);
+  archiveRow(archive, waterBefore_);
+  archiveRow(archive, waterAfter_);
+  archivePlain(archive, waterHeight_);
+  archivePlain(archive, submergedVolume_);
+}
+
+template void PrescribedVessel::archive(StateWriter&);
+template void PrescribedVessel::archive(StateReader&);
 
 }  // namespace seaway::bridge

@@ -65,6 +65,10 @@ class PrescribedVessel {
   double waterHeight() const { return waterHeight_; }  ///< at the body origin, m
   double submergedVolume() const { return submergedVolume_; }  ///< m³
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct Motion {
     double value = 0.0;

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "surface/constants.h"
+#include "surface/state_archive.h"
 
 namespace seaway::bridge {
 namespace {
@@ -49,5 +50,13 @@ CoursePoint VesselTrack::at(double t) const {
   const Entry& before = *(after - 1);
   return between(before.time, before.place, after->time, after->place, t);
 }
+
+template <class Archive>
+void VesselTrack::archive(Archive& archive) {
+  archiveRow(archive, entries_);
+}
+
+template void VesselTrack::archive(StateWriter&);
+template void VesselTrack::archive(StateReader&);
 
 }  // namespace seaway::bridge

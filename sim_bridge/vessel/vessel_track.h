@@ -27,9 +27,13 @@ class VesselTrack {
 
   std::size_t memoryBytes() const { return entries_.size() * sizeof(Entry); }
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct Entry {
-    double time;
+    double time = 0.0;
     CoursePoint place;
   };
   Course before_;

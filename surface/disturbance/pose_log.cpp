@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "surface/constants.h"
+#include "surface/state_archive.h"
 
 namespace seaway {
 namespace {
@@ -126,5 +127,13 @@ double PoseLog::timeAway(double time, double distance) const {
   }
   return earliest();
 }
+
+template <class Archive>
+void PoseLog::archive(Archive& archive) {
+  archiveRow(archive, entries_);
+}
+
+template void PoseLog::archive(StateWriter&);
+template void PoseLog::archive(StateReader&);
 
 }  // namespace seaway

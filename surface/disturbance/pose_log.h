@@ -60,10 +60,14 @@ class PoseLog {
 
   std::size_t memoryBytes() const { return entries_.size() * sizeof(Entry); }
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct Entry {
     VesselPose pose;
-    bool jumped;  // since the entry before
+    bool jumped = false;  // since the entry before
   };
   /// First entry after `time`.
   std::size_t after(double time) const;

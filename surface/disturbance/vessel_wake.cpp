@@ -7,6 +7,7 @@
 
 #include "surface/constants.h"
 #include "surface/dispersion.h"
+#include "surface/state_archive.h"
 
 namespace seaway {
 namespace {
@@ -177,5 +178,49 @@ std::size_t LevelWake::memoryBytes() const {
   // The grid before the last two is still with readers, or spare.
   return window_.memoryBytes() + (after_ ? 3 * after_->memoryBytes() : 0);
 }
+
+namespace {
+
+template <class Archive>
+void archiveGrid(Archive& archive, std::shared_ptr<const WakeGrid>& grid, int cells) {
+  bool there = grid != nullptr;
+  archivePlain(archive, there);
+  if (!there) {
+    grid = nullptr;
+    return;
+  }
+  bool withPotential = grid && !grid->potential.empty();
+  archivePlain(archive, withPotential);
+  auto held = std::make_shared<WakeGrid>(cells, withPotential);
+  const std::size_t size = held->surface.size(), depths = held->potential.size();
+  if constexpr (!isReader<Archive>) *held = *grid;
+  archiveRow(archive, held->surface);
+  archiveRow(archive, held->potential);
+  archivePlain(archive, held->largestHeight);
+  archivePlain(archive, held->largestRate);
+  if (held->surface.size() != size || held->potential.size() != depths) {
+    throw InputError("a checkpoint is damaged: a wake's surface has another size");
+  }
+  if constexpr (isReader<Archive>) grid = held;
+}
+
+}  // namespace
+
+template <class Archive>
+void LevelWake::archive(Archive& archive) {
+  window_.archive(archive);
+  archivePlain(archive, running_);
+  archivePlain(archive, steps_);
+  archivePlain(archive, astern_);
+  archivePlain(archive, centre_);
+  archivePlain(archive, place_);
+  archivePlain(archive, velocity_);
+  archivePlain(archive, meanWaveNumber_);
+  archiveGrid(archive, before_, level_.window.cells);
+  archiveGrid(archive, after_, level_.window.cells);
+}
+
+template void LevelWake::archive(StateWriter&);
+template void LevelWake::archive(StateReader&);
 
 }  // namespace seaway

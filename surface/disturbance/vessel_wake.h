@@ -58,6 +58,10 @@ class LevelWake {
   double time() const { return static_cast<double>(steps_) * level_.step; }
   std::size_t memoryBytes() const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   double size() const { return level_.window.size(); }
   void start(const PoseLog& log, double time);

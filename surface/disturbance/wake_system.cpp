@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "surface/input_error.h"
+#include "surface/state_archive.h"
 
 namespace seaway {
 namespace {
@@ -256,5 +257,31 @@ std::size_t WakeSystem::memoryBytes() const {
   }
   return bytes;
 }
+
+template <class Archive>
+void WakeSystem::archive(Archive& archive) {
+  std::uint64_t count = vessels_.size();
+  archivePlain(archive, count);
+  if (count != vessels_.size()) {
+    throw InputError("a checkpoint is of a scene with other vessels");
+  }
+  for (const auto& vessel : vessels_) {
+    archivePlain(archive, vessel->handle);
+    vessel->log.archive(archive);
+    archivePlain(archive, vessel->lastCalled);
+    archivePlain(archive, vessel->quietSince);
+    archivePlain(archive, vessel->nextCheck);
+    archivePlain(archive, vessel->removed);
+    bool runs = !vessel->wakes.empty();
+    archivePlain(archive, runs);
+    if (runs && vessel->wakes.empty()) open(*vessel);
+    for (LevelWake& wake : vessel->wakes) wake.archive(archive);
+  }
+  archivePlain(archive, nextHandle_);
+  if constexpr (isReader<Archive>) publish();
+}
+
+template void WakeSystem::archive(StateWriter&);
+template void WakeSystem::archive(StateReader&);
 
 }  // namespace seaway

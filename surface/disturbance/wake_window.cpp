@@ -7,6 +7,7 @@
 #include "surface/constants.h"
 #include "surface/disturbance/wake_kernels.h"
 #include "surface/disturbance/wake_output.h"
+#include "surface/state_archive.h"
 
 namespace seaway {
 namespace {
@@ -296,5 +297,19 @@ std::complex<float> WakeWindow::mode(int mx, int my) const {
 }
 
 std::size_t WakeWindow::memoryBytes() const { return 4 * real_.values.size() * sizeof(float); }
+
+template <class Archive>
+void WakeWindow::archive(Archive& archive) {
+  const std::size_t size = real_.values.size();
+  archiveRow(archive, real_.values);
+  archiveRow(archive, imaginary_.values);
+  if (real_.values.size() != size || imaginary_.values.size() != size) {
+    throw InputError("a checkpoint is damaged: a wake's window has another size");
+  }
+  footprintHeading_ = std::numeric_limits<double>::quiet_NaN();  // looked up again
+}
+
+template void WakeWindow::archive(StateWriter&);
+template void WakeWindow::archive(StateReader&);
 
 }  // namespace seaway

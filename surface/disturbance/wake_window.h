@@ -85,6 +85,10 @@ class WakeWindow {
 
   std::size_t memoryBytes() const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct AxisPhases;
   void turnFootprint(const HullPlace& place);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "surface/input_error.h"
+#include "surface/state_archive.h"
 
 namespace seaway {
 namespace {
@@ -386,5 +387,54 @@ std::size_t SurfaceLayer::memoryBytes() const {
   for (const Entry& entry : tiles_) bytes += sizeof(Tile) + entry.tile->tree.memUsage();
   return bytes;
 }
+
+template <class Archive>
+void SurfaceLayer::archiveTile(Archive& archive, Tile& tile) {
+  std::vector<openvdb::Coord> origins;
+  for (auto leaf = tile.tree.cbeginLeaf(); leaf; ++leaf) origins.push_back(leaf->origin());
+  archiveRow(archive, origins, 64);
+  for (const openvdb::Coord& origin : origins) {
+    Leaf& leaf = *tile.tree.touchLeaf(origin);
+    std::vector<std::uint32_t> cells(Leaf::SIZE);
+    std::vector<std::uint8_t> covered(Leaf::SIZE);
+    for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
+      cells[i] = leaf.getValue(i);
+      covered[i] = leaf.isValueOn(i);
+    }
+    archiveRow(archive, cells, Leaf::SIZE);
+    archiveRow(archive, covered, Leaf::SIZE);
+    if constexpr (isReader<Archive>) {
+      cells.resize(Leaf::SIZE);
+      covered.resize(Leaf::SIZE);
+      for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
+        covered[i] ? leaf.setValueOn(i, cells[i]) : leaf.setValueOff(i, cells[i]);
+      }
+    }
+  }
+}
+
+template <class Archive>
+void SurfaceLayer::archive(Archive& archive) {
+  std::uint64_t count = tiles_.size();
+  archivePlain(archive, count);
+  if constexpr (isReader<Archive>) tiles_.clear();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    std::int64_t x = 0, y = 0;
+    if constexpr (!isReader<Archive>) x = tiles_[i].tile->x, y = tiles_[i].tile->y;
+    archivePlain(archive, x);
+    archivePlain(archive, y);
+    if constexpr (isReader<Archive>) {
+      tiles_.push_back({keyOf(x, y), std::make_shared<Tile>(x, y), true});
+    }
+    archiveTile(archive, *tiles_[i].tile);
+  }
+  archivePlain(archive, base_);
+  archivePlain(archive, leaves_);
+  archiveRow(archive, decayCoarse_);
+  archiveRow(archive, decayFine_);
+}
+
+template void SurfaceLayer::archive(StateWriter&);
+template void SurfaceLayer::archive(StateReader&);
 
 }  // namespace seaway

@@ -91,6 +91,10 @@ class SurfaceLayer {
   std::size_t nodeCount() const;  ///< of all OpenVDB trees
   std::size_t memoryBytes() const;
 
+  /// Writes or reads the state: see surface/state_archive.h.
+  template <class Archive>
+  void archive(Archive& archive);
+
  private:
   struct Tile;
   struct Entry {
@@ -99,6 +103,8 @@ class SurfaceLayer {
     bool owned;  // by nobody else: may be painted on
   };
   class Reader;
+  template <class Archive>
+  static void archiveTile(Archive& archive, Tile& tile);
 
   Tile& tileToPaint(std::int64_t tileX, std::int64_t tileY);
   void rebase(double t);
