@@ -32,7 +32,8 @@ void setLight(const GlProgram& program, const ShadingConstants& c) {
   program.set("sunDirection", c.sunDirection);
   program.set("sunLight", c.sunLight);
   program.set("skyLight", c.skyLight);
-  program.set("rootSunHeight", c.rootSunHeight);
+  program.set("seaDeviation", c.seaDeviation);
+  program.set("sunlitFacets", c.sunlitFacets);
   program.set("levelSun", c.levelSun);
   program.set("horizonRayleigh", c.horizonRayleigh);
   program.set("horizonAerosol", c.horizonAerosol);

@@ -12,7 +12,7 @@ uniform vec3 forward, middleRay, right, up;
 uniform float pixelAngle;
 uniform bool cameraIsUnderWater, sunIsOn, skyIsOn, ripplesAreOn;
 uniform vec3 sunDirection, sunLight, skyLight;
-uniform float rootSunHeight, airExtinction, exposure;
+uniform float seaDeviation, sunlitFacets, airExtinction, exposure;
 uniform vec2 levelSun, aerosolShape;
 uniform vec3 horizonRayleigh, horizonAerosol, horizonOften;
 uniform bool hazeIsOn, twilightIsOn, moonIsOn, extinctionIsLinear, backFacesAreTilted;

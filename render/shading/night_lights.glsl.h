@@ -32,8 +32,9 @@ SHADER Real3 lampGlitter(Real3 relative, Real3 toViewer, Real2 slope, Real varia
     Real3 offset = Real3(lampPlace[i]) - relative;
     Real squared = max(dot(offset, offset), 0.04f);
     Real3 toLight = offset * inversesqrt(squared);
-    Real rootHeight = sqrt(max(toLight.z, 0.0f));
-    Real strength = mirroredLight(toViewer, toLight, rootHeight, slope, variance, rootCosine);
+    Real height = max(toLight.z, 0.0f);
+    Real lit = min(height / max(roughArea(sqrt(height), Real(seaDeviation)), 1e-3f), 1.0f);
+    Real strength = mirroredLight(toViewer, toLight, lit, slope, variance, rootCosine);
     strength = choose(toLight.z > 0.0f, strength / squared, Real(0.0f));
     light = light + Real3(lampLight[i]) * strength;
   }
@@ -54,8 +55,8 @@ SHADER Real3 lampLightOn(Real3 relative, Real3 normal) {
 
 // Part of a disc that is lit at `off` from its centre, a chord; `squared` its length's square.
 SHADER Real moonlit(Real3 off, Real squared) {
-  Real along = dot(off, Real3(discAxis)) * (1.0f / 0.006f);
-  Real chord = sqrt(max(1.0f - (squared * (1.0f / 3.6e-5f) - along * along), 0.0f));
+  Real along = dot(off, Real3(discAxis)) * (1.0f / 0.0068f);
+  Real chord = sqrt(max(1.0f - (squared * (1.0f / 4.624e-5f) - along * along), 0.0f));
   return smoothstep(Real(-0.1f), Real(0.1f), along - discEdge * chord);
 }
 

@@ -22,11 +22,11 @@ SHADER Real fresnel(Real cosine, float index) {
   return choose(sineSquared >= 1.0f, Real(1.0f), 0.5f * (a * a + b * b));
 }
 
-// Radiance for each irradiance of a light (√ of its sine of elevation given) that facets of
-// Gaussian slopes mirror (Cox & Munk's picture): Fresnel × density of the slope that mirrors, over
-// 4 cos⁴ of its tilt and the area the viewer sees.
-SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real rootHeight, Real2 slope,
-                             Real variance, Real rootCosine) {
+// Radiance for each irradiance of a light that facets of Gaussian slopes mirror (Cox & Munk's
+// picture): Fresnel × density of the slope that mirrors, over 4 cos⁴ of its tilt and the area the
+// viewer sees. `lit`: part of the facets that no wave hides from the light.
+SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real variance,
+                             Real rootCosine) {
   Real3 halfway = toViewer + toLight;
   halfway = halfway * inversesqrt(max(dot(halfway, halfway), 1e-12f));
   Real tall = max(halfway.z, 1e-3f);
@@ -38,10 +38,7 @@ SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real rootHeight, Rea
   Real strength = Real(0.0f);
   if (anyOf(exponent > -16.0f)) {
     Real density = exp(max(exponent, -60.0f)) / (6.2831853f * spread);
-    Real deviation = sqrt(variance);
-    Real area = roughArea(rootCosine, deviation);
-    Real litArea = roughArea(rootHeight, deviation);
-    Real lit = min(max(toLight.z, 0.0f) / max(litArea, 1e-3f), 1.0f);
+    Real area = roughArea(rootCosine, sqrt(variance));
     Real cosine = max(dot(toViewer, halfway), 0.0f);
     strength = lit * fresnel(cosine, 1.34f) * density /
                (4.0f * tall * tall * tall * tall * max(area, 0.02f));
@@ -75,11 +72,11 @@ SHADER Real mirroredByLobe(Real3 toViewer, Real3 toLight, Real2 slope) {
   return strength;
 }
 
-SHADER Real mirroredLight(Real3 toViewer, Real3 toLight, Real rootHeight, Real2 slope,
-                          Real variance, Real rootCosine) {
+SHADER Real mirroredLight(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real variance,
+                          Real rootCosine) {
   Real strength = Real(0.0f);
   if (specular == 0) {
-    strength = mirroredByFacets(toViewer, toLight, rootHeight, slope, variance, rootCosine);
+    strength = mirroredByFacets(toViewer, toLight, lit, slope, variance, rootCosine);
   } else {
     strength = mirroredByLobe(toViewer, toLight, slope);
   }

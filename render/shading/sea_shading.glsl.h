@@ -369,7 +369,7 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   if (belowIsOn) fromBelow = withObjectsBelow(relative, distance, toViewer, slope, fromBelow);
   Real3 colour = mix(fromBelow, sky, mirror);
   if (sunIsOn) {
-    Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(rootSunHeight), slope,
+    Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(sunlitFacets), slope,
                                      variance, rootCosine);
     colour = colour + Real3(sunLight) * (mirroredSun * open * sunlit);
   }

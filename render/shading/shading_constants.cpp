@@ -72,7 +72,6 @@ void setLight(ShadingConstants& c, const Lighting& lighting) {
     c.twilightIsOn = light.side.b > 0.0f;
   }
   if (lighting.moonPart > 0.0f) setMoon(c, lighting);
-  c.rootSunHeight = std::sqrt(std::max(c.sunDirection.z, 0.0f));
   c.hazeIsOn = lighting.hazeIsOn;
   // Exposed for the light that falls on the scene, as a hand-held meter would; at night the eye
   // does not follow all the way.
@@ -93,6 +92,10 @@ void setTerms(ShadingConstants& c, const View& view) {
 void setRipples(ShadingConstants& c, const View& view) {
   const Ripples ripples = ripplesFor(view.water->waves(), view.light.windSpeed);
   c.ripplesAreOn = ripples.layerSlope > 0.0;
+  const double slope = BandLimit(view.water->waves()).totalSlope() + 2.0 * ripples.layerSlope +
+                       ripples.hairSlope;
+  c.seaDeviation = static_cast<float>(std::sqrt(0.5 * slope));
+  c.sunlitFacets = litFacets(c.sunDirection.z, c.seaDeviation);
   c.rippleDeviation = static_cast<float>(std::sqrt(ripples.layerSlope));
   c.hairSlope = static_cast<float>(ripples.hairSlope);
   c.rippleLastLevel = ShadingTables::rippleLevels - 1.0f;
@@ -194,6 +197,12 @@ void setRain(ShadingConstants& c, const View& view, const Rain& rain) {
 
 glm::vec3 sunDirectionOf(const View& view) {
   return skyDirection(view.light.sunElevation, view.light.sunDirection);
+}
+
+float litFacets(float height, float deviation) {
+  if (height <= 0.0f) return 0.0f;
+  return static_cast<float>(
+      std::min(height / std::max(roughReflection(height, deviation).area, 1e-3), 1.0));
 }
 
 ShadingConstants shadingConstants(const View& view, const Lighting& lighting) {

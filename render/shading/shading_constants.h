@@ -30,7 +30,8 @@ struct ShadingConstants {
   glm::vec3 sunDirection{0.0f, 0.0f, 1.0f};
   glm::vec3 sunLight{0.0f};  ///< irradiance on a plane that faces the sun
   glm::vec3 skyLight{0.0f};  ///< mean radiance of the upper hemisphere
-  float rootSunHeight = 0.0f;  ///< √ of the sun's sine of elevation
+  float seaDeviation = 0.0f;   ///< of all the sea's slopes along an axis, whatever carries them
+  float sunlitFacets = 1.0f;   ///< part of them that no wave hides from the sun
   glm::vec2 levelSun{0.0f};    ///< horizontal part of sunDirection
   glm::vec3 horizonRayleigh{0.0f}, horizonAerosol{0.0f}, horizonOften{0.0f};
   glm::vec2 aerosolShape{1.0f, 0.0f};  ///< 1 + g², 2g
@@ -140,6 +141,11 @@ struct Lighting {
 };
 
 ShadingConstants shadingConstants(const View& view, const Lighting& lighting);
+
+/// Part of a sea's facets that no wave hides from a light at that sine of elevation (Smith's
+/// shadowing: what is lit, over the facets' area projected towards the light), for slopes of that
+/// deviation along an axis.
+float litFacets(float height, float deviation);
 
 /// Unit vector from the camera to the sun.
 glm::vec3 sunDirectionOf(const View& view);

@@ -123,7 +123,9 @@ TEST(LightHard, AllTechniquesDrawFiniteColoursThatAgree) {
     // Techniques carry other waves: within a tenth of the scale; one pixel or a camera among the
     // waves may show other things.
     const bool steady = hard.camera.size.x > 1 && hard.camera.position.z > 1.0;
-    if (steady) EXPECT_LT(most - least, 14.0) << hard.name;
+    if (steady) {
+      EXPECT_LT(most - least, 14.0) << hard.name;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "render/fresnel.h"
+#include "render/render_technique.h"
 #include "tests/render/lit_water.h"
 
 // The terms of those who shaded water before, as options.

@@ -152,7 +152,8 @@ TEST(WaterEnergy, GlitterOfSunsAllOverTheSkyIsAWhiteSkysReflection) {
           const glm::dvec2 level =
               unitVector(2.0 * pi * spoke / spokes) * std::sqrt(1.0 - height * height);
           water.constants.sunDirection = glm::vec3(glm::dvec3(level, height));
-          water.constants.rootSunHeight = static_cast<float>(std::sqrt(height));
+          water.constants.sunlitFacets = litFacets(
+              static_cast<float>(height), static_cast<float>(std::sqrt(0.5 * slopeOf(wind))));
           water.constants.sunLight = glm::vec3(2.0 * pi / (rings * spokes));
           sum += water.radiance(angle).g;
         }

@@ -40,7 +40,8 @@ TEST(LightSchema, ReadsMoonAirWaterAndTermsAndKeepsOursByDefault) {
   const LightSettings light =
       sceneWith(
           "light: {moon: {elevation_deg: 20, azimuth_deg: 90, phase: 0.25}, turbidity_per_m: 0,\n"
-          "  visibility_m: 900, shading: {specular: toman, extinction: linear, back_faces: keep}}\n")
+          "  visibility_m: 900, shading: {specular: toman, extinction: linear, back_faces: "
+          "keep}}\n")
           .light;
   ASSERT_TRUE(light.moon);
   EXPECT_EQ(light.moon->phase, 0.25);
