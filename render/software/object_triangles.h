@@ -64,7 +64,7 @@ class ObjectTriangles {
  private:
   struct Face {
     glm::vec3 normal, colour;
-    std::uint16_t instance;
+    std::uint16_t instance = 0;
     float level = 0.0f, scale = 1.0f;  // of PixelSpan's place
   };
   struct Window;
