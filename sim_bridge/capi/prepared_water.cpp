@@ -5,28 +5,15 @@
 namespace seaway::bridge::capi {
 namespace {
 
-const WaterSurface& calm() {
-  static const WaterSurface surface{WaveField({})};
-  return surface;
-}
-
-SurfaceAtTime& threadsWater() {
-  thread_local SurfaceAtTime water = calm().at(0.0);
+PreparedSurface& threadsWater() {
+  thread_local PreparedSurface water;
   return water;
 }
 
 }  // namespace
 
 PreparedWater::PreparedWater(const CoupledSea& sea, double t)
-    : moment_(sea.now()), water_(&threadsWater()) {
-  water_->moveTo(moment_->surface, t);
-}
-
-// The thread's memory must not keep a sea's wakes and layers when that sea has gone.
-PreparedWater::~PreparedWater() {
-  const SurfaceExtras& extras = water_->extras();
-  if (water_->disturbances() || extras.events || extras.detail) water_->moveTo(calm(), 0.0);
-}
+    : moment_(sea.now()), water_(threadsWater(), {moment_, &moment_->surface}, t) {}
 
 PlanePlacer& placerOf(const CoupledSea& sea) {
   thread_local std::optional<PlanePlacer> placer;

@@ -4,6 +4,7 @@
 
 #include "sim_bridge/capi/coupled_sea.h"
 #include "sim_bridge/service/plane_placer.h"
+#include "sim_bridge/service/prepared_surface.h"
 
 namespace seaway::bridge::capi {
 
@@ -12,16 +13,13 @@ namespace seaway::bridge::capi {
 class PreparedWater {
  public:
   PreparedWater(const CoupledSea& sea, double t);
-  ~PreparedWater();
-  PreparedWater(const PreparedWater&) = delete;
-  PreparedWater& operator=(const PreparedWater&) = delete;
 
   const SurfaceAtTime& water() const { return *water_; }
   const CoupledSea::Moment& moment() const { return *moment_; }
 
  private:
   std::shared_ptr<const CoupledSea::Moment> moment_;
-  SurfaceAtTime* water_;
+  PreparedSurface::Use water_;
 };
 
 /// The calling thread's placer of geodetic points for a sea; knows places that it met before.

@@ -5,8 +5,8 @@
 #include "sim_bridge/capi/handles.h"
 #include "sim_bridge/capi/point_blocks.h"
 #include "sim_bridge/capi/sample_options.h"
-#include "sim_bridge/capi/wave_arrays.h"
 #include "sim_bridge/output/number_text.h"
+#include "sim_bridge/service/wave_arrays.h"
 
 namespace seaway::bridge::capi {
 namespace {
@@ -62,9 +62,8 @@ struct Sampling {
   SampleOptions options;
 
   void run(std::size_t first, std::size_t end) const {
-    if (isPlain(water, points, options)) {
-      return samplePlain(water, points, first, end, options, out);
-    }
+    const bool everyPlace = points.frame == SEAWAY_SEA_PLANE && !points.wanted;
+    if (everyPlace && isPlain(water, options)) return runPlain(first, end - first);
     thread_local std::array<SurfaceSample, pointsPerBlock> samples;
     PointBlock& block = threadsBlock();
     PlanePlacer* placer = points.frame == SEAWAY_GEODETIC ? &placerOf(sea) : nullptr;
@@ -77,6 +76,17 @@ struct Sampling {
   }
 
  private:
+  // From the caller's arrays to the caller's arrays.
+  void runPlain(std::size_t first, std::size_t count) const noexcept {
+    if (count == 0) return;
+    const auto from = [=](auto* array) { return array ? array + first : nullptr; };
+    sampleWaves<double>(
+        water, {points.first + first, count}, {points.second + first, count}, options,
+        SampleStatus::ok,
+        {from(out.height), from(out.slope_east), from(out.slope_north), from(out.vertical_velocity),
+         from(out.error), from(out.bound), from(out.status)});
+  }
+
   void writeAll(const PointBlock& block, std::span<const SurfaceSample> a) const {
     write(out.height, block, [&](std::size_t i) { return a[i].height; });
     write(out.vertical_velocity, block, [&](std::size_t i) { return a[i].verticalVelocity; });

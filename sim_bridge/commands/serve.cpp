@@ -75,6 +75,7 @@ void reload(const std::string& file, ServedSea& sea) {
 }  // namespace
 
 int runServe(const ServeOptions& options) {
+  prepareGrpc(options.grpc);
   const EndSignals signals;
   beginServiceLog("--log-format", options.logFormat);
   const ServeClock clock = ServeClock::parse("--clock", options.clock);

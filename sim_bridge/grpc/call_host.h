@@ -36,7 +36,6 @@ class CallHost {
 
   Meter& meter;
   const std::size_t mostMessageBytes;  ///< of one message from a host
-  grpc::ServerCompletionQueue* queue = nullptr;
   Lanes lanes;
   std::atomic<bool> ending{false};  ///< no new call is listened for, streams end
 

@@ -61,8 +61,9 @@ class CallSlot {
   bool isBloated() const { return bloated_; }
 
  protected:
-  /// A context for the next call.
-  grpc::ServerContext& renew() {
+  /// A context for the next call, whose steps come back through `queue`.
+  grpc::ServerContext& renew(grpc::ServerCompletionQueue* queue) {
+    queue_ = queue;
     // `done` may come before the call has been looked at.
     left_ = 2;
     watch_.renew();
@@ -126,6 +127,7 @@ class CallSlot {
   void statusSent(bool) { leave(); }
 
   grpc::ByteBuffer received_, sent_;
+  grpc::ServerCompletionQueue* queue_ = nullptr;
   std::optional<grpc::ServerContext> context_;
   CallHost& host_;
   Step<CallSlot, &CallSlot::statusSent> statusSent_{*this};
@@ -137,7 +139,7 @@ class CallSlot {
   Derived& derived() { return static_cast<Derived&>(*this); }
 
   void wait(std::chrono::milliseconds time) {
-    alarm_.Set(host_.queue, std::chrono::system_clock::now() + time, &again_);
+    alarm_.Set(queue_, std::chrono::system_clock::now() + time, &again_);
   }
   void waited(bool) { answer(); }
 

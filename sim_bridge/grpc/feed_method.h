@@ -6,7 +6,8 @@ namespace seaway::bridge::rpc {
 
 /// What asks a generated service for the next call of a method: its Request… member.
 using ListenFeed = std::function<void(grpc::ServerContext*, grpc::ByteBuffer*,
-                                      grpc::ServerAsyncWriter<grpc::ByteBuffer>*, void*)>;
+                                      grpc::ServerAsyncWriter<grpc::ByteBuffer>*,
+                                      grpc::ServerCompletionQueue*, void*)>;
 
 /// A method of one request and answers for as long as the host likes: `Answerer` (see CallSlot) is
 /// asked for the next one as soon as one is sent, and says `again` while there is none.
@@ -16,10 +17,10 @@ class FeedMethod : public Method {
   FeedMethod(CallHost& host, ListenFeed ask, std::function<Answerer()> make)
       : host_(host), ask_(std::move(ask)), make_(std::move(make)) {}
 
-  void listen() override {
+  void listen(grpc::ServerCompletionQueue* queue) override {
     std::unique_ptr<Slot> slot = spare_.take();
     if (!slot) slot = std::make_unique<Slot>(*this);
-    slot.release()->listen();
+    slot.release()->listen(queue);
   }
 
  private:
@@ -28,10 +29,10 @@ class FeedMethod : public Method {
     explicit Slot(FeedMethod& method)
         : CallSlot<Slot, Answerer>(method.host_, method.make_()), method_(method) {}
 
-    void listen() {
-      grpc::ServerContext& context = this->renew();
+    void listen(grpc::ServerCompletionQueue* queue) {
+      grpc::ServerContext& context = this->renew(queue);
       writer_.emplace(&context);
-      method_.ask_(&context, &this->received_, &*writer_, &called_);
+      method_.ask_(&context, &this->received_, &*writer_, queue, &called_);
     }
     void sendAnswer() { writer_->Write(this->sent_, &written_); }
     void sendRefusal(const grpc::Status& status) { writer_->Finish(status, &this->statusSent_); }
@@ -43,7 +44,7 @@ class FeedMethod : public Method {
         const std::unique_ptr<Slot> gone(this);
         return this->neverBegan();
       }
-      if (!this->host_.ending) method_.listen();
+      if (!this->host_.ending) method_.listen(this->queue_);
       if (this->begins()) this->take();
     }
     void written(bool ok) {

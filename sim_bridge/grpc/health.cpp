@@ -68,14 +68,14 @@ void addHealthService(RpcServer& server) {
   CallHost& host = server.host();
   server.add(std::make_unique<UnaryMethod<CheckAnswerer>>(
       host,
-      [&raw = *service, &host](auto* context, auto* bytes, auto* writer, void* tag) {
-        raw.RequestCheck(context, bytes, writer, host.queue, host.queue, tag);
+      [&raw = *service](auto* context, auto* bytes, auto* writer, auto* queue, void* tag) {
+        raw.RequestCheck(context, bytes, writer, queue, queue, tag);
       },
       [&server] { return CheckAnswerer(server); }));
   server.add(std::make_unique<FeedMethod<WatchAnswerer>>(
       host,
-      [&raw = *service, &host](auto* context, auto* bytes, auto* writer, void* tag) {
-        raw.RequestWatch(context, bytes, writer, host.queue, host.queue, tag);
+      [&raw = *service](auto* context, auto* bytes, auto* writer, auto* queue, void* tag) {
+        raw.RequestWatch(context, bytes, writer, queue, queue, tag);
       },
       [&server] { return WatchAnswerer(server); }));
   server.add(std::move(service), Health::service_full_name());

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "sim_bridge/service/listener_of.h"
+#include "sim_bridge/service/wave_arrays.h"
 #include "surface/constants.h"
 
 namespace seaway::bridge::rpc {
@@ -35,9 +36,16 @@ void requireNotNegative(const char* field, double value) {
   if (!(value >= 0.0) || std::isinf(value)) throw badValue(field, value, "must be >= 0 and finite");
 }
 
+/// Room in a list that is empty; all of it is written later.
 template <class List>
-void resize(List& list, std::size_t size) {
-  list.Resize(static_cast<int>(size), 0);
+void makeRoomIn(List& list, std::size_t size) {
+  list.Reserve(static_cast<int>(size));
+  list.AddNAlreadyReserved(static_cast<int>(size));
+}
+
+template <class Value>
+std::span<const Value> spanOf(const google::protobuf::RepeatedField<Value>& list) {
+  return {list.data(), sizeOf(list)};
 }
 
 }  // namespace
@@ -118,59 +126,48 @@ PointSampler::Wanted PointSampler::read(const SampleRequest& request) const {
 
 void PointSampler::makeRoom(const Wanted& wanted, SampleResponse& response) {
   const std::size_t n = wanted.points;
-  if (wanted.height) resize(*response.mutable_height_m(), n);
+  if (wanted.height) makeRoomIn(*response.mutable_height_m(), n);
   if (wanted.slope) {
-    resize(*response.mutable_slope_east(), n);
-    resize(*response.mutable_slope_north(), n);
+    makeRoomIn(*response.mutable_slope_east(), n);
+    makeRoomIn(*response.mutable_slope_north(), n);
   }
-  if (wanted.verticalVelocity) resize(*response.mutable_vertical_velocity_m_s(), n);
+  if (wanted.verticalVelocity) makeRoomIn(*response.mutable_vertical_velocity_m_s(), n);
   if (wanted.velocity) {
-    resize(*response.mutable_velocity_east_m_s(), n);
-    resize(*response.mutable_velocity_north_m_s(), n);
-    resize(*response.mutable_velocity_up_m_s(), n);
+    makeRoomIn(*response.mutable_velocity_east_m_s(), n);
+    makeRoomIn(*response.mutable_velocity_north_m_s(), n);
+    makeRoomIn(*response.mutable_velocity_up_m_s(), n);
   }
   if (wanted.pressure) {
-    resize(*response.mutable_pressure_pa(), n);
-    resize(*response.mutable_dynamic_pressure_pa(), n);
+    makeRoomIn(*response.mutable_pressure_pa(), n);
+    makeRoomIn(*response.mutable_dynamic_pressure_pa(), n);
   }
   if (wanted.error) {
-    resize(*response.mutable_error_m(), n);
-    resize(*response.mutable_bound_m(), n);
+    makeRoomIn(*response.mutable_error_m(), n);
+    makeRoomIn(*response.mutable_bound_m(), n);
   }
 }
 
-void PointSampler::place(const SampleRequest& request, const Wanted& wanted,
-                         const CallWatch& watch) {
-  places_.resize(wanted.points);
-  if (!wanted.geodetic) {
-    for (std::size_t i = 0; i < wanted.points; ++i) {
-      places_[i] = {request.plane().x_m(static_cast<int>(i)),
-                    request.plane().y_m(static_cast<int>(i))};
-    }
-    return;
-  }
-  turns_.resize(wanted.points);
-  for (std::size_t i = 0; i < wanted.points; ++i) {
+PointSampler::Plane PointSampler::placed(const SampleRequest& request, const CallWatch& watch) {
+  const v1::GeodeticPoints& points = request.geodetic();
+  const std::size_t count = sizeOf(points.latitude_deg());
+  x_.resize(count);
+  y_.resize(count);
+  turns_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
     // Scattered points take a microsecond each.
     if (i % pieceSize == 0) watch.check();
-    const PlacedPoint point = placer_.place(request.geodetic().latitude_deg(static_cast<int>(i)),
-                                            request.geodetic().longitude_deg(static_cast<int>(i)));
-    places_[i] = point.position;
+    const PlacedPoint point = placer_.place(points.latitude_deg(static_cast<int>(i)),
+                                            points.longitude_deg(static_cast<int>(i)));
+    x_[i] = point.position.x;
+    y_[i] = point.position.y;
     turns_[i] = point.turn;
   }
+  return {x_, y_};
 }
 
-SampleStatus PointSampler::attend(const Wanted& wanted) {
-  glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
-  for (const glm::dvec2 place : places_) {
-    if (!WaveField::serves(place, wanted.time)) continue;
-    least = glm::min(least, place);
-    most = glm::max(most, place);
-  }
-  if (least.x > most.x) return SampleStatus::ok;
-  const WakeListener listener{0.5 * (least + most), 0.5 * glm::length(most - least),
-                              wanted.options.excludeVessel};
-  return host_->sea.attend(wanted.time, std::span(&listener, 1));
+SampleStatus PointSampler::attend(const Wanted& wanted, Plane plane) {
+  const auto listener = listenerOf(plane.x, plane.y, wanted.time, wanted.options.excludeVessel);
+  return listener ? host_->sea.attend(wanted.time, std::span(&*listener, 1)) : SampleStatus::ok;
 }
 
 glm::dvec2 PointSampler::turned(const Wanted& wanted, std::size_t point, glm::dvec2 v) const {
@@ -219,12 +216,13 @@ void PointSampler::moveSurface(Piece piece) {
 
 void PointSampler::moveWater(const SampleRequest& request, const Wanted& wanted, Piece piece,
                              const SurfaceAtTime& now) {
-  motions_.resize(piece.count);
+  motions_.assign(piece.count, {nan, glm::dvec3(nan), glm::dvec3(nan), nan, nan, {}});
+  if (!WaveField::serves({}, wanted.time)) return;
   depths_.resize(piece.count);
   const bool oneForAll = request.height_m_size() == 1;
   for (std::size_t i = 0; i < piece.count; ++i) {
     const int which = oneForAll ? 0 : static_cast<int>(piece.from + i);
-    depths_[i] = {places_[piece.from + i], request.height_m(which)};
+    depths_[i] = {places_[i], request.height_m(which)};
   }
   sampleKinematics(now, depths_, motions_, wanted.options);
   for (std::size_t i = 0; i < piece.count; ++i) {
@@ -261,9 +259,54 @@ void PointSampler::writeStatus(const Wanted& wanted, Piece piece, SampleStatus c
   for (std::size_t i = 0; i < piece.count; ++i) {
     const SampleStatus status = samples_[i].status | common;
     if (status == SampleStatus::ok) continue;
-    if (response.status().empty()) resize(*response.mutable_status(), wanted.points);
+    if (response.status().empty()) {
+      response.mutable_status()->Resize(static_cast<int>(wanted.points), 0);
+    }
     response.set_status(static_cast<int>(piece.from + i), static_cast<std::uint32_t>(status));
   }
+}
+
+void PointSampler::samplePiece(const SampleRequest& request, const Wanted& wanted, Plane plane,
+                               Piece piece, const SurfaceAtTime& now) {
+  places_.resize(piece.count);
+  samples_.resize(piece.count);
+  for (std::size_t i = 0; i < piece.count; ++i) {
+    places_[i] = {plane.x[piece.from + i], plane.y[piece.from + i]};
+  }
+  now.sample(places_, samples_, wanted.options);
+  if (!wanted.velocity && !wanted.pressure) return;
+  wanted.atHeights ? moveWater(request, wanted, piece, now) : moveSurface(piece);
+}
+
+// Straight from the request's lists into the answer's.
+void PointSampler::samplePlain(const Wanted& wanted, Plane plane, const SurfaceAtTime& now,
+                               SampleStatus common, const CallWatch& watch,
+                               SampleResponse& response) {
+  statuses_.resize(wanted.points);
+  WaveArrays<float> all{.status = statuses_.data()};
+  if (wanted.height) all.height = response.mutable_height_m()->mutable_data();
+  if (wanted.slope) {
+    all.slopeEast = response.mutable_slope_east()->mutable_data();
+    all.slopeNorth = response.mutable_slope_north()->mutable_data();
+  }
+  if (wanted.verticalVelocity) {
+    all.verticalVelocity = response.mutable_vertical_velocity_m_s()->mutable_data();
+  }
+  if (wanted.error) {
+    all.error = response.mutable_error_m()->mutable_data();
+    all.bound = response.mutable_bound_m()->mutable_data();
+  }
+  for (std::size_t from = 0; from < wanted.points; from += pieceSize) {
+    if (from > 0) watch.check();
+    const std::size_t count = std::min(pieceSize, wanted.points - from);
+    sampleWaves(now, plane.x.subspan(from, count), plane.y.subspan(from, count), wanted.options,
+                common, from == 0 ? all : partOf(all, from));
+  }
+  const LargestFaults largest = largestFaults(now, plane.x, plane.y, wanted.options);
+  response.set_largest_error_m(largest.error);
+  response.set_largest_bound_m(largest.bound);
+  const bool fine = std::all_of(statuses_.begin(), statuses_.end(), [](auto s) { return s == 0; });
+  if (!fine) response.mutable_status()->Add(statuses_.begin(), statuses_.end());
 }
 
 std::size_t PointSampler::sample(const SampleRequest& request, SampleResponse& response,
@@ -272,22 +315,20 @@ std::size_t PointSampler::sample(const SampleRequest& request, SampleResponse& r
   response.set_id(request.id());
   response.set_time_s(wanted.time);
   makeRoom(wanted, response);
-  place(request, wanted, watch);
-  const SampleStatus common = attend(wanted);
-  const auto surface = host_->sea.surface();
+  const Plane plane = wanted.geodetic
+                          ? placed(request, watch)
+                          : Plane{spanOf(request.plane().x_m()), spanOf(request.plane().y_m())};
+  const SampleStatus common = attend(wanted, plane);
+  const PreparedSurface::Use now(surface_, host_->sea.surface(), wanted.time);
   const bool motion = wanted.velocity || wanted.pressure;
-  const bool timeServed = WaveField::serves({}, wanted.time);
-  std::optional<SurfaceAtTime> now;
-  if (motion && wanted.atHeights) now = surface->at(timeServed ? wanted.time : 0.0);
+  if (!wanted.geodetic && !motion && isPlain(*now, wanted.options)) {
+    samplePlain(wanted, plane, *now, common, watch, response);
+    return wanted.points;
+  }
   for (Piece piece{0, 0}; piece.from < wanted.points; piece.from += piece.count) {
     if (piece.from > 0) watch.check();
     piece.count = std::min(pieceSize, wanted.points - piece.from);
-    samples_.resize(std::max(samples_.size(), piece.count));
-    const std::span<SurfaceSample> samples(samples_.data(), piece.count);
-    surface->sample(std::span(places_).subspan(piece.from, piece.count), wanted.time, samples,
-                    wanted.options);
-    if (now) moveWater(request, wanted, piece, *now);
-    if (motion && !now) moveSurface(piece);
+    samplePiece(request, wanted, plane, piece, *now);
     if (motion) writeMotion(wanted, piece, response);
     writeSurface(wanted, piece, response);
     writeStatus(wanted, piece, common, response);

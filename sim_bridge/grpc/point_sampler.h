@@ -9,6 +9,7 @@
 #include "sim_bridge/grpc/lanes.h"
 #include "sim_bridge/grpc/water_host.h"
 #include "sim_bridge/service/plane_placer.h"
+#include "sim_bridge/service/prepared_surface.h"
 #include "surface/water_kinematics.h"
 
 namespace seaway::bridge::rpc {
@@ -43,13 +44,21 @@ class PointSampler {
   struct Piece {
     std::size_t from, count;
   };
+  /// All points, in the sea plane.
+  struct Plane {
+    std::span<const double> x, y;
+  };
 
   Wanted read(const v1::SampleRequest& request) const;
   void readPoints(const v1::SampleRequest& request, Wanted& wanted) const;
   static void readQuantities(const v1::SampleRequest& request, Wanted& wanted);
   static void makeRoom(const Wanted& wanted, v1::SampleResponse& response);
-  void place(const v1::SampleRequest& request, const Wanted& wanted, const CallWatch& watch);
-  SampleStatus attend(const Wanted& wanted);
+  Plane placed(const v1::SampleRequest& request, const CallWatch& watch);
+  SampleStatus attend(const Wanted& wanted, Plane plane);
+  void samplePlain(const Wanted& wanted, Plane plane, const SurfaceAtTime& now, SampleStatus common,
+                   const CallWatch& watch, v1::SampleResponse& response);
+  void samplePiece(const v1::SampleRequest& request, const Wanted& wanted, Plane plane, Piece piece,
+                   const SurfaceAtTime& now);
   void writeSurface(const Wanted& wanted, Piece piece, v1::SampleResponse& response);
   void moveSurface(Piece piece);
   void moveWater(const v1::SampleRequest& request, const Wanted& wanted, Piece piece,
@@ -62,10 +71,14 @@ class PointSampler {
 
   const WaterHost* host_;
   PlanePlacer placer_;
-  std::vector<glm::dvec2> places_, turns_;  // turns: of geodetic points
-  std::vector<SurfaceSample> samples_;      // of a piece, as are the rest
+  PreparedSurface surface_;
+  std::vector<double> x_, y_;       // of geodetic points, as are
+  std::vector<glm::dvec2> turns_;   // true east and north there
+  std::vector<glm::dvec2> places_;  // of a piece, as are the rest
+  std::vector<SurfaceSample> samples_;
   std::vector<glm::dvec3> depths_;
   std::vector<WaterKinematics> motions_;
+  std::vector<std::uint32_t> statuses_;
 };
 
 }  // namespace seaway::bridge::rpc

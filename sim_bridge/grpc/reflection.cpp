@@ -84,8 +84,8 @@ void addReflectionService(RpcServer& server) {
   CallHost& host = server.host();
   server.add(std::make_unique<StreamMethod<ReflectionAnswerer>>(
       host,
-      [&raw = *service, &host](auto* context, auto* stream, void* tag) {
-        raw.RequestServerReflectionInfo(context, stream, host.queue, host.queue, tag);
+      [&raw = *service](auto* context, auto* stream, auto* queue, void* tag) {
+        raw.RequestServerReflectionInfo(context, stream, queue, queue, tag);
       },
       [&server] { return ReflectionAnswerer(server); }));
   server.add(std::move(service), ServerReflection::service_full_name());

@@ -16,8 +16,8 @@ namespace seaway::bridge::rpc {
 class Method {
  public:
   virtual ~Method() = default;
-  /// Listens for one more call.
-  virtual void listen() = 0;
+  /// Listens for one more call, on the thread behind `queue`.
+  virtual void listen(grpc::ServerCompletionQueue* queue) = 0;
 };
 
 /// Slots that wait to be used again.
@@ -45,10 +45,11 @@ class SpareSlots {
 
 /// What asks a generated service for the next call of a method: its Request… member.
 using ListenUnary = std::function<void(grpc::ServerContext*, grpc::ByteBuffer*,
-                                       grpc::ServerAsyncResponseWriter<grpc::ByteBuffer>*, void*)>;
-using ListenStream =
-    std::function<void(grpc::ServerContext*,
-                       grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer>*, void*)>;
+                                       grpc::ServerAsyncResponseWriter<grpc::ByteBuffer>*,
+                                       grpc::ServerCompletionQueue*, void*)>;
+using ListenStream = std::function<void(
+    grpc::ServerContext*, grpc::ServerAsyncReaderWriter<grpc::ByteBuffer, grpc::ByteBuffer>*,
+    grpc::ServerCompletionQueue*, void*)>;
 
 /// A method of one request and one answer. `Answerer`: see CallSlot.
 template <class Answerer>
@@ -57,10 +58,10 @@ class UnaryMethod : public Method {
   UnaryMethod(CallHost& host, ListenUnary ask, std::function<Answerer()> make)
       : host_(host), ask_(std::move(ask)), make_(std::move(make)) {}
 
-  void listen() override {
+  void listen(grpc::ServerCompletionQueue* queue) override {
     std::unique_ptr<Slot> slot = spare_.take();
     if (!slot) slot = std::make_unique<Slot>(*this);
-    slot.release()->listen();
+    slot.release()->listen(queue);
   }
 
  private:
@@ -69,10 +70,10 @@ class UnaryMethod : public Method {
     explicit Slot(UnaryMethod& method)
         : CallSlot<Slot, Answerer>(method.host_, method.make_()), method_(method) {}
 
-    void listen() {
-      grpc::ServerContext& context = this->renew();
+    void listen(grpc::ServerCompletionQueue* queue) {
+      grpc::ServerContext& context = this->renew(queue);
       writer_.emplace(&context);
-      method_.ask_(&context, &this->received_, &*writer_, &called_);
+      method_.ask_(&context, &this->received_, &*writer_, queue, &called_);
     }
     void sendAnswer() { writer_->Finish(this->sent_, grpc::Status::OK, &this->statusSent_); }
     void sendRefusal(const grpc::Status& status) {
@@ -86,7 +87,7 @@ class UnaryMethod : public Method {
         const std::unique_ptr<Slot> gone(this);
         return this->neverBegan();
       }
-      if (!this->host_.ending) method_.listen();
+      if (!this->host_.ending) method_.listen(this->queue_);
       if (this->begins()) this->take();
     }
     UnaryMethod& method_;
@@ -107,10 +108,10 @@ class StreamMethod : public Method {
   StreamMethod(CallHost& host, ListenStream ask, std::function<Answerer()> make)
       : host_(host), ask_(std::move(ask)), make_(std::move(make)) {}
 
-  void listen() override {
+  void listen(grpc::ServerCompletionQueue* queue) override {
     std::unique_ptr<Slot> slot = spare_.take();
     if (!slot) slot = std::make_unique<Slot>(*this);
-    slot.release()->listen();
+    slot.release()->listen(queue);
   }
 
  private:
@@ -119,10 +120,10 @@ class StreamMethod : public Method {
     explicit Slot(StreamMethod& method)
         : CallSlot<Slot, Answerer>(method.host_, method.make_()), method_(method) {}
 
-    void listen() {
-      grpc::ServerContext& context = this->renew();
+    void listen(grpc::ServerCompletionQueue* queue) {
+      grpc::ServerContext& context = this->renew(queue);
       stream_.emplace(&context);
-      method_.ask_(&context, &*stream_, &called_);
+      method_.ask_(&context, &*stream_, queue, &called_);
     }
     void sendAnswer() { stream_->Write(this->sent_, &written_); }
     void sendRefusal(const grpc::Status& status) { stream_->Finish(status, &this->statusSent_); }
@@ -134,7 +135,7 @@ class StreamMethod : public Method {
         const std::unique_ptr<Slot> gone(this);
         return this->neverBegan();
       }
-      if (!this->host_.ending) method_.listen();
+      if (!this->host_.ending) method_.listen(this->queue_);
       if (this->begins()) next();
     }
     void next() { stream_->Read(&this->received_, &read_); }

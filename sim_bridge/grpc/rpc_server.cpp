@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "sim_bridge/grpc/address_fault.h"
@@ -18,15 +19,6 @@ using std::chrono::milliseconds;
 
 /// gRPC's own messages go where ours go, and only where somebody looks for faults.
 void logToOurs(gpr_log_func_args* entry) { spdlog::debug("gRPC: {}", entry->message); }
-
-/// What holds for all servers of the process.
-void prepareProcess() {
-  static const bool once = [] {
-    gpr_set_log_function(logToOurs);
-    return true;
-  }();
-  (void)once;
-}
 
 int millisecondsOf(double seconds) { return static_cast<int>(1000.0 * seconds); }
 
@@ -51,6 +43,13 @@ void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options)
 
 }  // namespace
 
+void prepareRpcProcess() {
+  gpr_set_log_function(logToOurs);
+  // The default strategy lets one thread wait for all connections and hand what comes to the
+  // others; with this one each thread waits for its own.
+  setenv("GRPC_POLL_STRATEGY", "poll", 0);
+}
+
 RpcServer::RpcServer(RpcServerOptions options, Meter& meter)
     : options_(std::move(options)),
       host_(meter, options_.token, static_cast<std::size_t>(options_.mostMessageBytes)) {}
@@ -63,7 +62,6 @@ void RpcServer::add(std::unique_ptr<grpc::Service> service, std::string name) {
 }
 
 void RpcServer::bind() {
-  prepareProcess();
   addHealthService(*this);
   addReflectionService(*this);
   requireFreeAddress(options_.option, options_.address);
@@ -72,17 +70,20 @@ void RpcServer::bind() {
   int port = 0;
   builder.AddListeningPort(options_.address, options_.credentials, &port);
   for (const auto& service : services_) builder.RegisterService(service.get());
-  queue_ = builder.AddCompletionQueue();
-  host_.queue = queue_.get();
+  for (int i = 0; i < std::max(2, coreCount()); ++i) {
+    queues_.push_back(builder.AddCompletionQueue());
+  }
   server_ = builder.BuildAndStart();
   if (!server_ || port == 0) {
     server_.reset();
-    queue_->Shutdown();
-    void* tag = nullptr;
-    bool ok = false;
-    while (queue_->Next(&tag, &ok)) {
+    for (const auto& queue : queues_) {
+      queue->Shutdown();
+      void* tag = nullptr;
+      bool ok = false;
+      while (queue->Next(&tag, &ok)) {
+      }
     }
-    queue_.reset();
+    queues_.clear();
     throw InputError(options_.option + ": cannot serve at '" + options_.address +
                      "': the address cannot be taken, or the certificate and key are no pair");
   }
@@ -90,17 +91,30 @@ void RpcServer::bind() {
 }
 
 void RpcServer::start() {
-  const int threads = std::max(2, coreCount());
-  for (const auto& method : methods_) {
-    for (int i = 0; i < threads; ++i) method->listen();
+  for (const auto& queue : queues_) {
+    for (const auto& method : methods_) method->listen(queue.get());
   }
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  for (const auto& queue : queues_) {
+    threads_.emplace_back([this, &queue = *queue] { serve(queue); });
+  }
 }
 
-void RpcServer::serve() {
+void RpcServer::serve(grpc::ServerCompletionQueue& queue) {
+  using Clock = std::chrono::steady_clock;
+  const std::chrono::duration<double> spin(coreCount() > 1 ? options_.spin : 0.0);
+  auto heard = Clock::now();
   void* tag = nullptr;
   bool ok = false;
-  while (queue_->Next(&tag, &ok)) static_cast<Arrival*>(tag)->arrived(ok);
+  while (true) {
+    const auto found = queue.AsyncNext(&tag, &ok, gpr_time_0(GPR_CLOCK_MONOTONIC));
+    if (found == grpc::CompletionQueue::SHUTDOWN) return;
+    if (found == grpc::CompletionQueue::TIMEOUT) {
+      if (Clock::now() - heard < spin) continue;
+      if (!queue.Next(&tag, &ok)) return;
+    }
+    static_cast<Arrival*>(tag)->arrived(ok);
+    heard = Clock::now();
+  }
 }
 
 void RpcServer::stop() {
@@ -108,12 +122,14 @@ void RpcServer::stop() {
   host_.ending = true;
   server_->Shutdown(std::chrono::system_clock::now() + milliseconds(500));
   if (!threads_.empty()) host_.waitForSlots();
-  queue_->Shutdown();
-  if (threads_.empty()) serve();
+  for (const auto& queue : queues_) {
+    queue->Shutdown();
+    if (threads_.empty()) serve(*queue);
+  }
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
   server_.reset();
-  queue_.reset();
+  queues_.clear();
 }
 
 }  // namespace seaway::bridge::rpc

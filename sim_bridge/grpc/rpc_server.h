@@ -22,12 +22,20 @@ struct RpcServerOptions {
   /// than twice that gRPC refuses by itself before it has all of them, and the meter does not
   /// count.
   int mostMessageBytes = 64 << 20;
+  /// How long a thread looks for more after an event before it sleeps, s: waking takes longer than
+  /// a small batch. Not on a machine with one core.
+  double spin = 50e-6;
   /// A host that does not answer for so long, s, is gone, and twice that where it is silent.
   double patience = 10.0;
 };
 
-/// A gRPC server: services with asynchronous methods, answered by a thread a core, which hand what
-/// takes long to Lanes; health checking and reflection beside them, which need no token.
+/// What holds for all servers of a process: to be called once, before it has other threads and
+/// before anything of gRPC is made. Leaves GRPC_POLL_STRATEGY alone where it is set.
+void prepareRpcProcess();
+
+/// A gRPC server: services with asynchronous methods, answered by a thread a core, each with a
+/// queue and connections of its own, which hand what takes long to Lanes; health checking and
+/// reflection beside them, which need no token.
 ///
 /// Make it, add services and their methods, `bind`, `start`, `stop`.
 class RpcServer {
@@ -51,14 +59,14 @@ class RpcServer {
   void stop();
 
  private:
-  void serve();
+  void serve(grpc::ServerCompletionQueue& queue);
 
   RpcServerOptions options_;
   CallHost host_;
   std::vector<std::unique_ptr<grpc::Service>> services_;
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<Method>> methods_;
-  std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+  std::vector<std::unique_ptr<grpc::ServerCompletionQueue>> queues_;  // one a thread
   std::unique_ptr<grpc::Server> server_;
   std::string address_;
   std::vector<std::thread> threads_;

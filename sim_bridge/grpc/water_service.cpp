@@ -113,17 +113,16 @@ class Adder {
 
   template <class Answerer, auto request>
   void unary() {
-    const auto ask = [&service = service_, &shared = server_.host()](auto* context, auto* bytes,
-                                                                     auto* writer, void* tag) {
-      (service.*request)(context, bytes, writer, shared.queue, shared.queue, tag);
+    const auto ask = [&service = service_](auto* context, auto* bytes, auto* writer, auto* queue,
+                                           void* tag) {
+      (service.*request)(context, bytes, writer, queue, queue, tag);
     };
     server_.add(std::make_unique<UnaryMethod<Answerer>>(server_.host(), ask, maker<Answerer>()));
   }
   template <class Answerer, auto request>
   void stream() {
-    const auto ask = [&service = service_, &shared = server_.host()](auto* context, auto* stream,
-                                                                     void* tag) {
-      (service.*request)(context, stream, shared.queue, shared.queue, tag);
+    const auto ask = [&service = service_](auto* context, auto* stream, auto* queue, void* tag) {
+      (service.*request)(context, stream, queue, queue, tag);
     };
     server_.add(std::make_unique<StreamMethod<Answerer>>(server_.host(), ask, maker<Answerer>()));
   }

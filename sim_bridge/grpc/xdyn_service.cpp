@@ -48,9 +48,9 @@ class Adder {
   template <class Request, class Response, auto ask, Lane where, class Function>
   void add(Function) {
     using Answers = Answerer<Request, Response, where, Function{}>;
-    const auto listen = [&service = service_, &host = server_.host()](auto* context, auto* bytes,
-                                                                      auto* writer, void* tag) {
-      (service.*ask)(context, bytes, writer, host.queue, host.queue, tag);
+    const auto listen = [&service = service_](auto* context, auto* bytes, auto* writer, auto* queue,
+                                              void* tag) {
+      (service.*ask)(context, bytes, writer, queue, queue, tag);
     };
     server_.add(std::make_unique<UnaryMethod<Answers>>(
         server_.host(), listen, [&waves = waves_] { return Answers(waves); }));

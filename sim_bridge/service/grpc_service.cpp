@@ -65,6 +65,10 @@ void requirePoints(const GrpcServiceOptions& options) {
 
 }  // namespace
 
+void prepareGrpc(const GrpcServiceOptions& options) {
+  if (!options.address.empty() || !options.xdynAddress.empty()) rpc::prepareRpcProcess();
+}
+
 void addGrpcOptions(CLI::App& command, GrpcServiceOptions& options) {
   const char* group = "gRPC";
   const auto add = [&](const char* name, auto& value, const char* help) {

@@ -25,6 +25,9 @@ struct GrpcServiceOptions {
   std::size_t mostPoints = 250000;  ///< of a request
 };
 
+/// What gRPC needs of the process: first of all, before there are other threads.
+void prepareGrpc(const GrpcServiceOptions& options);
+
 void addGrpcOptions(CLI::App& command, GrpcServiceOptions& options);
 
 /// seaway.v1.Water at `address`. Null where it is not asked for. What it is given must outlive it.

@@ -1,10 +1,12 @@
 #include "sim_bridge/shm/sea_host.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
+
+#include "sim_bridge/service/listener_of.h"
+#include "sim_bridge/service/wave_arrays.h"
 
 namespace seaway::bridge::shm {
 namespace {
@@ -86,40 +88,22 @@ void SeaHost::removeHull(std::uint32_t hull) {
   sea_.removeHull(hull);
 }
 
-void SeaHost::place(const SampleAsked& asked, std::span<const double> x,
-                    std::span<const double> y) {
-  points_.resize(x.size());
-  places_.resize(asked.geodetic ? x.size() : 0);
-  if (!asked.geodetic) {
-    for (std::size_t i = 0; i < x.size(); ++i) points_[i] = {x[i], y[i]};
-    return;
+SeaHost::Points SeaHost::placed(Points geodetic) {
+  const std::size_t count = geodetic.x.size();
+  places_.resize(count);
+  x_.resize(count);
+  y_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    places_[i] = placer_.place(geodetic.y[i], geodetic.x[i]);
+    x_[i] = places_[i].position.x;
+    y_[i] = places_[i].position.y;
   }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    places_[i] = placer_.place(y[i], x[i]);
-    points_[i] = places_[i].position;
-  }
+  return {x_, y_};
 }
 
-SampleStatus SeaHost::attend(double t, std::uint32_t hull) {
-  if (!std::isfinite(t)) return SampleStatus::ok;
-  glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
-  for (const glm::dvec2 point : points_) {
-    // NaN is neither less nor more.
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  if (!WaveField::serves(least, t) || !WaveField::serves(most, t)) {
-    // Some are too far, or none is anywhere: without those.
-    least = glm::dvec2(std::numeric_limits<double>::infinity()), most = -least;
-    for (const glm::dvec2 point : points_) {
-      if (!WaveField::serves(point, t)) continue;
-      least = glm::min(least, point);
-      most = glm::max(most, point);
-    }
-    if (least.x > most.x) return SampleStatus::ok;
-  }
-  const WakeListener listener{0.5 * (least + most), 0.5 * glm::length(most - least), hull};
-  return sea_.attend(t, std::span(&listener, 1));
+SampleStatus SeaHost::attend(double t, std::uint32_t hull, Points plane) {
+  const auto listener = listenerOf(plane.x, plane.y, t, hull);
+  return listener ? sea_.attend(t, std::span(&*listener, 1)) : SampleStatus::ok;
 }
 
 void SeaHost::sample(const SampleAsked& asked, std::span<const double> x, std::span<const double> y,
@@ -133,49 +117,71 @@ void SeaHost::sample(const SampleAsked& asked, std::span<const double> x, std::s
     requireOwn(asked.ownHull);
     options.excludeVessel = sea_.ownWake(asked.ownHull);
   }
-  place(asked, x, y);
-  const SampleStatus wakes = attend(asked.time, options.excludeVessel);
-  samples_.resize(points_.size());
-  sea_.surface()->sample(points_, asked.time, samples_, options);
-  write(asked, wakes, out);
+  const Points plane = asked.geodetic ? placed({x, y}) : Points{x, y};
+  const SampleStatus wakes = attend(asked.time, options.excludeVessel, plane);
+  const PreparedSurface::Use water(surface_, sea_.surface(), asked.time);
+  if (!asked.geodetic && isPlain(*water, options)) {
+    return sampleWaves<double>(*water, x, y, options, wakes,
+                               {out.height, out.slopeEast, out.slopeNorth, out.verticalVelocity,
+                                out.error, out.bound, out.status});
+  }
+  samplePlaced(asked, options, plane, wakes, *water, out);
 }
 
-void SeaHost::write(const SampleAsked& asked, SampleStatus wakes, const SampleArrays& out) const {
-  // Each block stays in the first cache while its arrays are written one after the other.
-  constexpr std::size_t block = 128;
-  for (std::size_t from = 0; from < samples_.size(); from += block) {
-    const std::size_t to = std::min(from + block, samples_.size());
-    for (std::size_t i = from; i < to; ++i) {
-      out.height[i] = samples_[i].height;
-      out.error[i] = samples_[i].error;
-      out.bound[i] = samples_[i].bound;
-      out.status[i] = static_cast<std::uint32_t>(samples_[i].status | wakes);
-    }
-    if (asked.derivatives) writeDerivatives(asked, from, to, out);
-    if (asked.orbitalVelocity) writeOrbitalVelocities(asked, from, to, out);
+namespace {
+
+// Of a block: its samples stay in the first cache while arrays are written one after the other.
+constexpr std::size_t block = 128;
+using Samples = std::span<const SurfaceSample>;
+
+void writeHeights(Samples samples, SampleStatus wakes, std::size_t to, const SampleArrays& out) {
+  for (const SurfaceSample& sample : samples) {
+    out.height[to] = sample.height;
+    out.error[to] = sample.error;
+    out.bound[to] = sample.bound;
+    out.status[to++] = static_cast<std::uint32_t>(sample.status | wakes);
   }
 }
 
-void SeaHost::writeDerivatives(const SampleAsked& asked, std::size_t from, std::size_t to,
-                               const SampleArrays& out) const {
-  for (std::size_t i = from; i < to; ++i) {
-    const SurfaceSample& sample = samples_[i];
-    const glm::dvec2 slope = asked.geodetic ? places_[i].trueFromPlane(sample.slope) : sample.slope;
-    out.slopeEast[i] = slope.x;
-    out.slopeNorth[i] = slope.y;
-    out.verticalVelocity[i] = sample.verticalVelocity;
+/// `places` is empty where vectors lie along the plane's own axes.
+void writeDerivatives(Samples samples, const PlacedPoint* places, std::size_t to,
+                      const SampleArrays& out) {
+  for (const SurfaceSample& sample : samples) {
+    const glm::dvec2 slope = places ? places[to].trueFromPlane(sample.slope) : sample.slope;
+    out.slopeEast[to] = slope.x;
+    out.slopeNorth[to] = slope.y;
+    out.verticalVelocity[to++] = sample.verticalVelocity;
   }
 }
 
-void SeaHost::writeOrbitalVelocities(const SampleAsked& asked, std::size_t from, std::size_t to,
-                                     const SampleArrays& out) const {
-  for (std::size_t i = from; i < to; ++i) {
-    const glm::dvec3 velocity = samples_[i].orbitalVelocity;
+void writeOrbitalVelocities(Samples samples, const PlacedPoint* places, std::size_t to,
+                            const SampleArrays& out) {
+  for (const SurfaceSample& sample : samples) {
+    const glm::dvec3 velocity = sample.orbitalVelocity;
     const glm::dvec2 level(velocity.x, velocity.y);
-    const glm::dvec2 turned = asked.geodetic ? places_[i].trueFromPlane(level) : level;
-    out.orbitalEast[i] = turned.x;
-    out.orbitalNorth[i] = turned.y;
-    out.orbitalUp[i] = velocity.z;
+    const glm::dvec2 turned = places ? places[to].trueFromPlane(level) : level;
+    out.orbitalEast[to] = turned.x;
+    out.orbitalNorth[to] = turned.y;
+    out.orbitalUp[to++] = velocity.z;
+  }
+}
+
+}  // namespace
+
+void SeaHost::samplePlaced(const SampleAsked& asked, const SampleOptions& options, Points plane,
+                           SampleStatus wakes, const SurfaceAtTime& water,
+                           const SampleArrays& out) {
+  std::array<glm::dvec2, block> points;
+  std::array<SurfaceSample, block> all;
+  const PlacedPoint* places = asked.geodetic ? places_.data() : nullptr;
+  for (std::size_t from = 0; from < plane.x.size(); from += block) {
+    const std::size_t count = std::min(block, plane.x.size() - from);
+    for (std::size_t i = 0; i < count; ++i) points[i] = {plane.x[from + i], plane.y[from + i]};
+    const std::span<SurfaceSample> samples = std::span(all).first(count);
+    water.sample(std::span(points).first(count), samples, options);
+    writeHeights(samples, wakes, from, out);
+    if (asked.derivatives) writeDerivatives(samples, places, from, out);
+    if (asked.orbitalVelocity) writeOrbitalVelocities(samples, places, from, out);
   }
 }
 

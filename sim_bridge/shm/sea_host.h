@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_bridge/service/plane_placer.h"
+#include "sim_bridge/service/prepared_surface.h"
 #include "sim_bridge/service/served_sea.h"
 #include "sim_bridge/shm/host_sea.h"
 
@@ -31,21 +32,22 @@ class SeaHost : public HostSea {
   std::optional<std::pair<double, double>> wakeSpan() const override { return sea_.wakeSpan(); }
 
  private:
+  /// Points that are asked, by their coordinates as the host gives them.
+  struct Points {
+    std::span<const double> x, y;
+  };
   void requireOwn(std::uint32_t hull) const;
-  void place(const SampleAsked& asked, std::span<const double> x, std::span<const double> y);
-  SampleStatus attend(double t, std::uint32_t hull);
-  void write(const SampleAsked& asked, SampleStatus wakes, const SampleArrays& out) const;
-  void writeDerivatives(const SampleAsked& asked, std::size_t from, std::size_t to,
-                        const SampleArrays& out) const;
-  void writeOrbitalVelocities(const SampleAsked& asked, std::size_t from, std::size_t to,
-                              const SampleArrays& out) const;
+  SampleStatus attend(double t, std::uint32_t hull, Points plane);
+  Points placed(Points geodetic);
+  void samplePlaced(const SampleAsked& asked, const SampleOptions& options, Points plane,
+                    SampleStatus wakes, const SurfaceAtTime& water, const SampleArrays& out);
 
   ServedSea& sea_;
   PlanePlacer placer_;
   std::set<std::uint32_t> hulls_;
-  std::vector<glm::dvec2> points_;
-  std::vector<PlacedPoint> places_;  // of geodetic points
-  std::vector<SurfaceSample> samples_;
+  PreparedSurface surface_;
+  std::vector<PlacedPoint> places_;  // of geodetic points, as are x_ and y_
+  std::vector<double> x_, y_;
 };
 
 /// What there is to ask, as JSON: scene, anchor, sea, vessels, cameras, wakes; lengths in m.

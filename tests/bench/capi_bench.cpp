@@ -65,6 +65,19 @@ struct Setup {
     prepared.moveTo(sea.surface, t);
     prepared.sample(east, north, {heights, slopesEast, slopesNorth, rates});
   }
+  /// The same, and then what C is handed: doubles, and a status each.
+  void throughWidenedArrays(double t) {
+    throughArrays(t);
+    std::copy(heights.begin(), heights.end(), height.begin());
+    std::copy(slopesEast.begin(), slopesEast.end(), slopeEast.begin());
+    std::copy(slopesNorth.begin(), slopesNorth.end(), slopeNorth.begin());
+    std::copy(rates.begin(), rates.end(), rate.begin());
+    for (std::size_t i = 0; i < east.size(); ++i) {
+      const bool served = seaway::WaveField::serves({east[i], north[i]}, t);
+      status[i] = static_cast<std::uint32_t>(served ? seaway::SampleStatus::ok
+                                                    : seaway::SampleStatus::outOfRange);
+    }
+  }
   void throughC(double t) { seaway_sea_sample(handle, t, &points, nullptr, &samples); }
 };
 
@@ -104,23 +117,31 @@ void printRow(std::size_t count, int rounds) {
   const auto library = [&](double t) { return microseconds([&] { setup.throughLibrary(t); }); };
   const auto arrays = [&](double t) { return microseconds([&] { setup.throughArrays(t); }); };
   const auto c = [&](double t) { return microseconds([&] { setup.throughC(t); }); };
-  std::vector<double> times[3], overLibrary, overArrays;
+  const auto widened = [&](double t) {
+    return microseconds([&] { setup.throughWidenedArrays(t); });
+  };
+  std::vector<double> times[4], overLibrary, overArrays, overWidened;
   for (int i = 0; i < rounds; ++i) {
     const double t = 0.01 * i;
     // Who goes first changes, so that none finds the warmer cache.
-    for (int k = 0; k < 3; ++k) {
-      const int who = (i + k) % 3;
-      times[who].push_back(who == 0 ? library(t) : who == 1 ? arrays(t) : c(t));
+    for (int k = 0; k < 4; ++k) {
+      const int who = (i + k) % 4;
+      times[who].push_back(who == 0   ? library(t)
+                           : who == 1 ? arrays(t)
+                           : who == 2 ? widened(t)
+                                      : c(t));
     }
-    overLibrary.push_back(times[2].back() - times[0].back());
-    overArrays.push_back(times[2].back() - times[1].back());
+    overLibrary.push_back(times[3].back() - times[0].back());
+    overArrays.push_back(times[3].back() - times[1].back());
+    overWidened.push_back(times[3].back() - times[2].back());
   }
   std::printf("| %zu ", count);
   for (const auto& column : times) {
     std::printf("| %.2f / %.2f / %.2f ", percentile(column, 0.0), percentile(column, 0.5),
                 percentile(column, 0.99));
   }
-  std::printf("| %+.2f | %+.2f |\n", percentile(overLibrary, 0.5), percentile(overArrays, 0.5));
+  std::printf("| %+.2f | %+.2f | %+.2f |\n", percentile(overLibrary, 0.5),
+              percentile(overArrays, 0.5), percentile(overWidened, 0.5));
 }
 
 }  // namespace
@@ -129,8 +150,9 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--table") == 0) {
     std::printf(
         "us, best / median / p99; differences of neighbours, median\n"
-        "| points | C++ samples | C++ arrays of floats | C | C - samples | C - arrays |\n"
-        "|---|---|---|---|---|---|\n");
+        "| points | C++ samples | C++ arrays of floats | the same as doubles with status | C | C - "
+        "samples | C - arrays | C - doubles |\n"
+        "|---|---|---|---|---|---|---|---|\n");
     for (const std::size_t count : {1, 10, 100, 1000, 10000}) printRow(count, 4000);
     return 0;
   }

@@ -21,9 +21,11 @@
 #include "sim_bridge/grpc/rpc_server.h"
 #include "sim_bridge/grpc/water_service.h"
 #include "sim_bridge/scene/sea.h"
+#include "tests/bench/grpc_echo.h"
 
 // What gRPC adds to the evaluation of 1000 points on 12 octaves.
 //   grpc_bench [ROUNDS] [--clients N] [--seconds S] [--server-cores N]
+// Beside it, what the bare library takes to answer as many bytes and to answer none: the floor.
 // On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds
 // of call in turn with the bare evaluation, so that each has the machine as the others have it.
 // Then N hosts at once: calls a second beside the same evaluation without gRPC on as many cores,
@@ -89,9 +91,9 @@ Scene sceneOfTwelveOctaves() {
   return scene;
 }
 
-v1::SampleRequest request(bool all) {
+v1::SampleRequest request(bool all, std::size_t count = points) {
   v1::SampleRequest made;
-  for (std::size_t i = 0; i < points; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     made.mutable_plane()->add_x_m(6000.0 + 0.5 * static_cast<double>(i));
     made.mutable_plane()->add_y_m(2400.0);
   }
@@ -144,15 +146,24 @@ class Host {
   }
   void ask(const v1::SampleRequest& asked) {
     if (stream_) {
-      if (!stream_->Write(asked) || !stream_->Read(&response_)) fail("the stream has ended");
+      if (!stream_->Write(asked) || !stream_->Read(&response_)) {
+        fail(stream_->Finish().error_message().c_str());
+      }
       return;
     }
+    // One queue for all calls: the blocking call makes one each time.
     grpc::ClientContext context;
-    if (!stub_->Sample(&context, asked, &response_).ok()) fail("refused");
+    const auto call = stub_->AsyncSample(&context, asked, &queue_);
+    grpc::Status status;
+    call->Finish(&response_, &status, this);
+    void* tag = nullptr;
+    bool ok = false;
+    if (!queue_.Next(&tag, &ok) || !status.ok()) fail(status.error_message().c_str());
   }
 
  private:
   std::unique_ptr<v1::Water::Stub> stub_;
+  grpc::CompletionQueue queue_;
   grpc::ClientContext context_;
   std::unique_ptr<grpc::ClientReaderWriter<v1::SampleRequest, v1::SampleResponse>> stream_;
   v1::SampleResponse response_;
@@ -200,6 +211,7 @@ struct Order {
   int calls = 0;  // of one host, each timed; 0: as many as go in `seconds`
   double seconds = 0.0;
   bool streaming = false, all = false;
+  std::size_t count = points;
 };
 
 template <class Values>
@@ -229,7 +241,7 @@ bool receiveAll(int from, Values* values, std::size_t count) {
 void serveAsHosts(int in, int out) {
   std::map<std::string, std::unique_ptr<Host>> hosts;  // those whose calls are timed
   for (Order order; receiveAll(in, &order, 1);) {
-    v1::SampleRequest asked = request(order.all);
+    v1::SampleRequest asked = request(order.all, order.count);
     if (order.calls > 0) {
       std::unique_ptr<Host>& host = hosts[order.address + std::to_string(order.streaming)];
       if (!host) host = std::make_unique<Host>(order.address, order.streaming);
@@ -259,8 +271,9 @@ void serveAsHosts(int in, int out) {
 struct Hosts {
   int in, out;
 
-  std::vector<double> timed(const std::string& address, bool streaming, bool all, int calls) {
-    Order order{.calls = calls, .streaming = streaming, .all = all};
+  std::vector<double> timed(const std::string& address, bool streaming, bool all, std::size_t count,
+                            int calls) {
+    Order order{.calls = calls, .streaming = streaming, .all = all, .count = count};
     std::snprintf(order.address, sizeof order.address, "%s", address.c_str());
     sendAll(out, &order, 1);
     std::vector<double> us(static_cast<std::size_t>(calls));
@@ -286,31 +299,79 @@ void print(const char* name, std::vector<double>& us, double evaluation) {
   std::printf("\n");
 }
 
+/// The bytes of an answer.
+std::string anAnswer(bool all) {
+  v1::SampleResponse made;
+  for (std::size_t i = 0; i < points; ++i) {
+    made.add_height_m(1.0);
+    if (!all) continue;
+    made.add_slope_east(0.1f);
+    made.add_slope_north(0.1f);
+    made.add_vertical_velocity_m_s(0.1f);
+  }
+  return made.SerializeAsString();
+}
+
+/// The bare library, answering as many bytes as an answer has, and none.
+struct Echoes {
+  const bool large;
+  EchoServer full, empty;
+  std::string fullAddress, emptyAddress;
+
+  Echoes(const std::string& address, bool all)
+      : large(all),
+        full(echoAddress(address, 0), anAnswer(all)),
+        empty(echoAddress(address, 1), "") {
+    const bool local = address.starts_with("unix:");
+    const auto at = [&](int which, int port) {
+      return local ? echoAddress(address, which) : "127.0.0.1:" + std::to_string(port);
+    };
+    fullAddress = at(0, full.port());
+    emptyAddress = at(1, empty.port());
+  }
+  std::string echoAddress(const std::string& address, int which) const {
+    if (!address.starts_with("unix:")) return "127.0.0.1:0";
+    // Hosts keep what they have opened, by address.
+    return address + (large ? ".large" : ".small") + std::to_string(which);
+  }
+};
+
 void printOneHost(Server& server, Hosts hosts, int rounds, bool all) {
   constexpr int block = 50;
   Evaluation evaluation(server.sea, all);
-  std::vector<double> bare, stream, unary;
   const std::string address = server.rpc.address();
-  const auto add = [](std::vector<double>& to, const std::vector<double>& more) {
-    to.insert(to.end(), more.begin(), more.end());
+  const Echoes echoes(address, all);
+  struct Row {
+    const char* name;
+    std::string address;
+    bool streaming, evaluates;
+    std::size_t count;
+    std::vector<double> us = {};
   };
+  Row rows[] = {{"stream", address, true, true, points},
+                {"unary", address, false, true, points},
+                {"bare gRPC, stream", echoes.fullAddress, true, false, points},
+                {"bare gRPC, unary", echoes.fullAddress, false, false, points},
+                {"empty bare stream", echoes.emptyAddress, true, false, 0},
+                {"empty bare unary", echoes.emptyAddress, false, false, 0}};
+  std::vector<double> bare;
   for (int round = -4 * block; round < rounds; round += block) {
-    if (round == 0) bare.clear(), stream.clear(), unary.clear();
     for (int i = 0; i < block; ++i) {
       const auto begun = Clock::now();
       evaluation.run(0.01 * i);
-      bare.push_back(1e6 * secondsSince(begun));
+      if (round >= 0) bare.push_back(1e6 * secondsSince(begun));
     }
-    add(stream, hosts.timed(address, true, all, block));
-    add(unary, hosts.timed(address, false, all, block));
+    for (Row& row : rows) {
+      const auto us = hosts.timed(row.address, row.streaming, all, row.count, block);
+      if (round >= 0) row.us.insert(row.us.end(), us.begin(), us.end());
+    }
   }
   std::printf("%zu points, 12 octaves, %s, %s; us\n%-22s %8s %8s %8s %20s\n", points,
               all ? "heights, slopes and rates" : "heights", address.c_str(), "", "p10", "median",
               "p99", "above evaluation");
   print("evaluation", bare, 0.0);
   const double median = bare[bare.size() / 2];
-  print("stream", stream, median);
-  print("unary", unary, median);
+  for (Row& row : rows) print(row.name, row.us, row.evaluates ? median : 0.0);
 }
 
 void printManyHosts(Server& server, Hosts hosts, const Options& options) {
@@ -362,6 +423,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "--server-cores: must leave the hosts some of %d\n", rpc::coreCount());
     return 2;
   }
+  rpc::prepareRpcProcess();
   // Before gRPC has threads.
   const pid_t child = fork();
   if (child == 0) {
