@@ -15,6 +15,9 @@ namespace {
 constexpr double runUpPerWaveHeight = 0.6;
 constexpr double leastRunUp = 0.15;  // m
 
+/// By way of the water no grain is seen that is finer than this many pixels.
+constexpr float blurByWater = 3.0f;
+
 }  // namespace
 
 bool TerrainInView::mapMayShow(const TerrainMap& map, const Camera& camera) const {
@@ -82,6 +85,7 @@ void TerrainInView::fill(const Camera& camera, TerrainSide side, float extinctio
   // There and back: what comes up has gone down before.
   if (side == TerrainSide::below) {
     selection.lowest = std::log(0.01) / (2.0 * std::max(static_cast<double>(extinction), 1e-3));
+    selection.highest = heightBound_ + 0.1;
   }
   std::vector<glm::vec3> corners;
   lod_->select(*map_, camera, selection, corners);
@@ -137,6 +141,7 @@ void TerrainInView::fillSpan(const Camera& camera, const float* inverse, Terrain
                              PixelSpan& span) const {
   const glm::vec2 foot(glm::dvec2(camera.position) - map_->least());
   const auto eyeHeight = static_cast<float>(camera.position.z);
+  const float footprintAngle = (side == TerrainSide::direct ? 1.0f : blurByWater) * pixelAngle_;
   for (int i = 0; i < span.count; ++i) {
     if (inverse[i] == 0.0f) continue;
     const float axial = 1.0f / inverse[i];
@@ -146,7 +151,8 @@ void TerrainInView::fillSpan(const Camera& camera, const float* inverse, Terrain
     float height = relative.z + eyeHeight + static_cast<float>(seaDrop(glm::length(level)));
     if (side == TerrainSide::mirrored) height = -height;
     const GroundPixel ground = groundPixel(*skin_, foot + level,
-                                           pixelAngle_ * glm::length(relative), height, wetHeight_);
+                                           footprintAngle * glm::length(relative), height,
+                                           wetHeight_);
     span.hasObjects = true;
     span.kind[i] = ShadedAs::ground;
     span.axial[i] = axial;

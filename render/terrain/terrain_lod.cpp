@@ -81,7 +81,7 @@ class Walk {
     const auto [low, high] = std::minmax({height(apex), height(a), height(b)});
     const double error = finest ? 0.0 : error_[index(middle)];
     const Range range{low - error, finest ? high : std::max<double>(high, top_[index(middle)])};
-    if (range.high < selection_.lowest) return;
+    if (range.high < selection_.lowest || range.low > selection_.highest) return;
     if (selection_.side == TerrainSide::mirrored && range.high <= 0.0) return;
     const double longest = glm::length(glm::dvec2(b - a)) * widest_;
     const glm::dvec2 centre = off(0.5 * glm::dvec2(sum));
@@ -161,6 +161,37 @@ class Walk {
   double tanX_ = 1.0, tanY_ = 1.0, perDistance_ = 0.0, widest_ = 1.0;
 };
 
+/// Most that heights are off the two triangles with the longest side between middle ± half, m.
+float largestError(const TerrainMap::Grid& grid, glm::ivec2 middle, glm::ivec2 half) {
+  const auto height = [&](glm::ivec2 at) {
+    return grid.heights[static_cast<std::size_t>(at.y) * grid.count.x + at.x];
+  };
+  const auto isIn = [&](glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < grid.count.x && at.y < grid.count.y;
+  };
+  const glm::ivec2 across(-half.y, half.x);
+  const float a = height(middle - half), b = height(middle + half), mean = 0.5f * (a + b);
+  const int reach = std::max(std::abs(half.x), std::abs(half.y));
+  const int squared = half.x * half.x + half.y * half.y;
+  const float perSquare = 1.0f / static_cast<float>(squared);
+  float worst = 0.0f;
+  for (const int side : {-1, 1}) {
+    const glm::ivec2 apex = middle + side * across;
+    if (!isIn(apex)) continue;
+    const float rise = height(apex) - mean, along = 0.5f * (b - a);
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        const int u = x * half.x + y * half.y, v = side * (x * across.x + y * across.y);
+        if (v < 0 || std::abs(u) + v > squared) continue;
+        const float plane = mean + perSquare * (static_cast<float>(u) * along +
+                                                static_cast<float>(v) * rise);
+        worst = std::max(worst, std::abs(height(middle + glm::ivec2(x, y)) - plane));
+      }
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 TerrainLod::TerrainLod(const TerrainMap& map)
@@ -218,7 +249,7 @@ void TerrainLod::gather(const TerrainMap& map, glm::ivec2 middle, glm::ivec2 hal
     top_[here] = std::max(top_[here], top_[at]);
     isShore = isShore || shore[at];
   }
-  error_[here] = std::abs(height - 0.5f * (a + b)) + follows;
+  error_[here] = std::max(largestError(grid, middle, half), follows);
   shore[here] = isShore;
 }
 
