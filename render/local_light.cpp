@@ -106,7 +106,7 @@ void LocalLight::fillSpan(const Drawn& drawn, const Strip& objects, const Strip&
   const glm::vec2 perPixel = 2.0f / glm::vec2(drawn.camera.size);
   const float upwards = 1.0f - (static_cast<float>(objects.top + line) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
-  span.firstRay += across * constants.right + upwards * constants.up;
+  span.firstRay = constants.middleRay + across * constants.right + upwards * constants.up;
   span.rayStep = constants.right * perPixel.x;
   const bool mirrored = drawn.side == WaterSide::mirrored;
   drawn.terrain.fillSpan(drawn.camera, ground.inverse.data() + at,

@@ -32,12 +32,14 @@ bool TerrainInView::mapMayShow(const TerrainMap& map, const Camera& camera) cons
   const double ball = std::hypot(radius, std::max(std::abs(map.lowest()), top) +
                                              seaDrop(farthest) - seaDrop(away));
   const double axial = glm::dot(centre, camera.forward());
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const double tanX = tanY * camera.aspectRatio();
-  const double x = std::abs(glm::dot(centre, camera.left()));
-  const double y = std::abs(glm::dot(centre, camera.up()));
-  return axial >= camera.nearDistance - ball && x - axial * tanX <= ball * std::hypot(1.0, tanX) &&
-         y - axial * tanY <= ball * std::hypot(1.0, tanY);
+  const glm::dvec2 half = camera.halfPicture(), shift = camera.pictureMiddle();
+  const auto reaches = [&](double outwards, double tangent) {
+    return outwards - axial * tangent <= ball * std::hypot(1.0, tangent);
+  };
+  const double right = -glm::dot(centre, camera.left()), up = glm::dot(centre, camera.up());
+  return axial >= camera.nearDistance - ball && reaches(right, half.x + shift.x) &&
+         reaches(-right, half.x - shift.x) && reaches(up, half.y + shift.y) &&
+         reaches(-up, half.y - shift.y);
 }
 
 void TerrainInView::decide(const View& view, bool called, const char* reason) {
@@ -65,8 +67,7 @@ void TerrainInView::prepare(const View& view, const Shown& shown) {
   const double waves = view.water->waves().significantWaveHeight();
   heightBound_ = view.water->heightBound(view.time);
   wetHeight_ = static_cast<float>(leastRunUp + runUpPerWaveHeight * waves);
-  pixelAngle_ = static_cast<float>(2.0 * std::tan(0.5 * view.camera.verticalFieldOfView) /
-                                   view.camera.size.y);
+  pixelAngle_ = static_cast<float>(view.camera.pixelAngle());
   TerrainSelection selection;
   // Water hides what lies deeper than its troughs.
   if (shown.water && !shown.cameraIsUnderWater) selection.lowest = -heightBound_ - 0.1;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -36,12 +37,13 @@ class Walk {
         corners_(corners),
         forward_(camera.forward()),
         left_(camera.left()),
-        up_(camera.up()) {
-    tanY_ = std::tan(0.5 * camera.verticalFieldOfView);
-    tanX_ = tanY_ * camera.aspectRatio();
+        up_(camera.up()),
+        half_(camera.halfPicture()),
+        middle_(camera.pictureMiddle()) {
+    const glm::dvec2 corner = glm::abs(middle_) + half_;
     // A pixel at the picture's corner is seen at the smallest angle.
-    const double pixels = 0.5 * camera.size.y / tanY_ * std::sqrt(1.0 + tanX_ * tanX_ + tanY_ * tanY_);
-    perDistance_ = selection.tolerance / pixels;
+    perDistance_ = selection.tolerance * std::min(camera.pixelExtent().x, camera.pixelExtent().y) /
+                   std::sqrt(1.0 + glm::dot(corner, corner));
     widest_ = std::max(grid_.spacing.x, grid_.spacing.y);
     const int block = lod.block();
     for (int y = 0; y + 1 < grid_.count.y; y += block) {
@@ -119,9 +121,12 @@ class Walk {
     const double ball = std::hypot(radius, half);
     const double axial = glm::dot(place, forward_);
     if (axial < camera_.nearDistance - ball) return false;
-    const double x = std::abs(glm::dot(place, left_)), y = std::abs(glm::dot(place, up_));
-    return x - axial * tanX_ <= ball * std::hypot(1.0, tanX_) &&
-           y - axial * tanY_ <= ball * std::hypot(1.0, tanY_);
+    const auto reaches = [&](double outwards, double tangent) {
+      return outwards - axial * tangent <= ball * std::sqrt(1.0 + tangent * tangent);
+    };
+    const double right = -glm::dot(place, left_), up = glm::dot(place, up_);
+    return reaches(right, half_.x + middle_.x) && reaches(-right, half_.x - middle_.x) &&
+           reaches(up, half_.y + middle_.y) && reaches(-up, half_.y - middle_.y);
   }
 
   void put(glm::ivec2 apex, glm::ivec2 a, glm::ivec2 b) {
@@ -158,7 +163,8 @@ class Walk {
   const TerrainSelection& selection_;
   std::vector<glm::vec3>& corners_;
   glm::dvec3 forward_, left_, up_;
-  double tanX_ = 1.0, tanY_ = 1.0, perDistance_ = 0.0, widest_ = 1.0;
+  glm::dvec2 half_, middle_;
+  double perDistance_ = 0.0, widest_ = 1.0;
 };
 
 /// Most that heights are off the two triangles with the longest side between middle ± half, m.
