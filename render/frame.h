@@ -23,7 +23,7 @@ struct DepthImage {
   std::vector<float> metres;  ///< size.x · size.y
 };
 
-/// What a pixel shows; `ground` is what lies outside the water's outline.
+/// What a pixel shows; `ground` is terrain, and what lies outside the water's outline.
 enum class PixelClass : std::uint8_t { sky = 0, water = 1, object = 2, ground = 3 };
 
 /// What a frame cost and how it was made.

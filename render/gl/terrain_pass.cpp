@@ -1,7 +1,5 @@
 #include "render/gl/terrain_pass.h"
 
-#include <cmath>
-
 #include "render/gl/frame_targets.h"
 #include "surface/constants.h"
 
@@ -44,14 +42,13 @@ void TerrainPass::draw(const TerrainInView& terrain, const Camera& camera,
   }
   vertices_.put(terrain.corners());
   const glm::dvec2 foot = glm::dvec2(camera.position) - terrain.map().least();
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
   program_.set("mapFoot", glm::vec2(foot));
   program_.set("mapExtent", glm::vec2(terrain.map().most() - terrain.map().least()));
   program_.set("texelSize", terrain.skin().texelSize());
   program_.set("mostSlope", TerrainSkin::mostSlope);
   program_.set("lastLevel", static_cast<float>(terrain.skin().levels().size() - 1));
-  program_.set("pixelAngle", static_cast<float>(2.0 * tanY / camera.size.y));
+  program_.set("pixelAngle", static_cast<float>(camera.pixelAngle()));
   program_.set("eyeHeight", static_cast<float>(camera.position.z));
   program_.set("curvature", static_cast<float>(0.5 / earthMeanRadius));
   program_.set("wetHeight", terrain.wetHeight());

@@ -15,6 +15,9 @@ namespace {
 constexpr double runUpPerWaveHeight = 0.6;
 constexpr double leastRunUp = 0.15;  // m
 
+/// By way of the water no grain is seen that is finer than this many pixels.
+constexpr float blurByWater = 3.0f;
+
 }  // namespace
 
 bool TerrainInView::mapMayShow(const TerrainMap& map, const Camera& camera) const {
@@ -29,12 +32,14 @@ bool TerrainInView::mapMayShow(const TerrainMap& map, const Camera& camera) cons
   const double ball = std::hypot(radius, std::max(std::abs(map.lowest()), top) +
                                              seaDrop(farthest) - seaDrop(away));
   const double axial = glm::dot(centre, camera.forward());
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const double tanX = tanY * camera.aspectRatio();
-  const double x = std::abs(glm::dot(centre, camera.left()));
-  const double y = std::abs(glm::dot(centre, camera.up()));
-  return axial >= camera.nearDistance - ball && x - axial * tanX <= ball * std::hypot(1.0, tanX) &&
-         y - axial * tanY <= ball * std::hypot(1.0, tanY);
+  const glm::dvec2 half = camera.halfPicture(), shift = camera.pictureMiddle();
+  const auto reaches = [&](double outwards, double tangent) {
+    return outwards - axial * tangent <= ball * std::hypot(1.0, tangent);
+  };
+  const double right = -glm::dot(centre, camera.left()), up = glm::dot(centre, camera.up());
+  return axial >= camera.nearDistance - ball && reaches(right, half.x + shift.x) &&
+         reaches(-right, half.x - shift.x) && reaches(up, half.y + shift.y) &&
+         reaches(-up, half.y - shift.y);
 }
 
 void TerrainInView::decide(const View& view, bool called, const char* reason) {
@@ -62,8 +67,7 @@ void TerrainInView::prepare(const View& view, const Shown& shown) {
   const double waves = view.water->waves().significantWaveHeight();
   heightBound_ = view.water->heightBound(view.time);
   wetHeight_ = static_cast<float>(leastRunUp + runUpPerWaveHeight * waves);
-  pixelAngle_ = static_cast<float>(2.0 * std::tan(0.5 * view.camera.verticalFieldOfView) /
-                                   view.camera.size.y);
+  pixelAngle_ = static_cast<float>(view.camera.pixelAngle());
   TerrainSelection selection;
   // Water hides what lies deeper than its troughs.
   if (shown.water && !shown.cameraIsUnderWater) selection.lowest = -heightBound_ - 0.1;
@@ -82,6 +86,7 @@ void TerrainInView::fill(const Camera& camera, TerrainSide side, float extinctio
   // There and back: what comes up has gone down before.
   if (side == TerrainSide::below) {
     selection.lowest = std::log(0.01) / (2.0 * std::max(static_cast<double>(extinction), 1e-3));
+    selection.highest = heightBound_ + 0.1;
   }
   std::vector<glm::vec3> corners;
   lod_->select(*map_, camera, selection, corners);
@@ -140,6 +145,7 @@ void TerrainInView::fillSpan(const Camera& camera, const float* inverse, Terrain
   constexpr auto deepened = static_cast<float>(seaWaterIndex);
   const bool isMoved = side != TerrainSide::direct;
   span.hasPlaces = span.hasPlaces || isMoved;
+  const float footprintAngle = (side == TerrainSide::direct ? 1.0f : blurByWater) * pixelAngle_;
   for (int i = 0; i < span.count; ++i) {
     if (inverse[i] == 0.0f) continue;
     const float axial = 1.0f / inverse[i];
@@ -149,7 +155,8 @@ void TerrainInView::fillSpan(const Camera& camera, const float* inverse, Terrain
     float height = relative.z + eyeHeight + static_cast<float>(seaDrop(glm::length(level)));
     if (side == TerrainSide::mirrored) height = -height;
     const GroundPixel ground = groundPixel(*skin_, foot + level,
-                                           pixelAngle_ * glm::length(relative), height, wetHeight_);
+                                           footprintAngle * glm::length(relative), height,
+                                           wetHeight_);
     if (isMoved) {
       span.placeLevel[i] = -eyeHeight - static_cast<float>(seaDrop(glm::length(level)));
       span.placeScale[i] = side == TerrainSide::mirrored ? -1.0f : deepened;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -36,12 +37,13 @@ class Walk {
         corners_(corners),
         forward_(camera.forward()),
         left_(camera.left()),
-        up_(camera.up()) {
-    tanY_ = std::tan(0.5 * camera.verticalFieldOfView);
-    tanX_ = tanY_ * camera.aspectRatio();
+        up_(camera.up()),
+        half_(camera.halfPicture()),
+        middle_(camera.pictureMiddle()) {
+    const glm::dvec2 corner = glm::abs(middle_) + half_;
     // A pixel at the picture's corner is seen at the smallest angle.
-    const double pixels = 0.5 * camera.size.y / tanY_ * std::sqrt(1.0 + tanX_ * tanX_ + tanY_ * tanY_);
-    perDistance_ = selection.tolerance / pixels;
+    perDistance_ = selection.tolerance * std::min(camera.pixelExtent().x, camera.pixelExtent().y) /
+                   std::sqrt(1.0 + glm::dot(corner, corner));
     widest_ = std::max(grid_.spacing.x, grid_.spacing.y);
     const int block = lod.block();
     for (int y = 0; y + 1 < grid_.count.y; y += block) {
@@ -81,7 +83,7 @@ class Walk {
     const auto [low, high] = std::minmax({height(apex), height(a), height(b)});
     const double error = finest ? 0.0 : error_[index(middle)];
     const Range range{low - error, finest ? high : std::max<double>(high, top_[index(middle)])};
-    if (range.high < selection_.lowest) return;
+    if (range.high < selection_.lowest || range.low > selection_.highest) return;
     if (selection_.side == TerrainSide::mirrored && range.high <= 0.0) return;
     const double longest = glm::length(glm::dvec2(b - a)) * widest_;
     const glm::dvec2 centre = off(0.5 * glm::dvec2(sum));
@@ -119,9 +121,12 @@ class Walk {
     const double ball = std::hypot(radius, half);
     const double axial = glm::dot(place, forward_);
     if (axial < camera_.nearDistance - ball) return false;
-    const double x = std::abs(glm::dot(place, left_)), y = std::abs(glm::dot(place, up_));
-    return x - axial * tanX_ <= ball * std::hypot(1.0, tanX_) &&
-           y - axial * tanY_ <= ball * std::hypot(1.0, tanY_);
+    const auto reaches = [&](double outwards, double tangent) {
+      return outwards - axial * tangent <= ball * std::sqrt(1.0 + tangent * tangent);
+    };
+    const double right = -glm::dot(place, left_), up = glm::dot(place, up_);
+    return reaches(right, half_.x + middle_.x) && reaches(-right, half_.x - middle_.x) &&
+           reaches(up, half_.y + middle_.y) && reaches(-up, half_.y - middle_.y);
   }
 
   void put(glm::ivec2 apex, glm::ivec2 a, glm::ivec2 b) {
@@ -158,8 +163,40 @@ class Walk {
   const TerrainSelection& selection_;
   std::vector<glm::vec3>& corners_;
   glm::dvec3 forward_, left_, up_;
-  double tanX_ = 1.0, tanY_ = 1.0, perDistance_ = 0.0, widest_ = 1.0;
+  glm::dvec2 half_, middle_;
+  double perDistance_ = 0.0, widest_ = 1.0;
 };
+
+/// Most that heights are off the two triangles with the longest side between middle ± half, m.
+float largestError(const TerrainMap::Grid& grid, glm::ivec2 middle, glm::ivec2 half) {
+  const auto height = [&](glm::ivec2 at) {
+    return grid.heights[static_cast<std::size_t>(at.y) * grid.count.x + at.x];
+  };
+  const auto isIn = [&](glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < grid.count.x && at.y < grid.count.y;
+  };
+  const glm::ivec2 across(-half.y, half.x);
+  const float a = height(middle - half), b = height(middle + half), mean = 0.5f * (a + b);
+  const int reach = std::max(std::abs(half.x), std::abs(half.y));
+  const int squared = half.x * half.x + half.y * half.y;
+  const float perSquare = 1.0f / static_cast<float>(squared);
+  float worst = 0.0f;
+  for (const int side : {-1, 1}) {
+    const glm::ivec2 apex = middle + side * across;
+    if (!isIn(apex)) continue;
+    const float rise = height(apex) - mean, along = 0.5f * (b - a);
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        const int u = x * half.x + y * half.y, v = side * (x * across.x + y * across.y);
+        if (v < 0 || std::abs(u) + v > squared) continue;
+        const float plane = mean + perSquare * (static_cast<float>(u) * along +
+                                                static_cast<float>(v) * rise);
+        worst = std::max(worst, std::abs(height(middle + glm::ivec2(x, y)) - plane));
+      }
+    }
+  }
+  return worst;
+}
 
 }  // namespace
 
@@ -218,7 +255,7 @@ void TerrainLod::gather(const TerrainMap& map, glm::ivec2 middle, glm::ivec2 hal
     top_[here] = std::max(top_[here], top_[at]);
     isShore = isShore || shore[at];
   }
-  error_[here] = std::abs(height - 0.5f * (a + b)) + follows;
+  error_[here] = std::max(largestError(grid, middle, half), follows);
   shore[here] = isShore;
 }
 

@@ -25,13 +25,14 @@ struct TerrainSelection {
   /// water's edge is, an eighth of it: on a flat beach the edge moves by more than the height.
   double tolerance = 0.7;
   double lowest = -1e30;  ///< m: ground that is nowhere higher than this is left out
+  double highest = 1e30;  ///< m: and what is nowhere lower than this
 };
 
 /// Levels of detail of a terrain: right triangles that are halved where that shows (Lindstrom &
 /// Pascucci 2001, "Visualization of large terrains made easy"), without cracks whatever the view.
 ///
-/// Each height that halves two triangles has a bound of the error of not doing so, the sum over all
-/// that would follow, and the highest of what would follow. A height is used where its error, seen
+/// Each height that halves two triangles has the largest error of not doing so, over all heights in
+/// the two, and the highest of what would follow. A height is used where its error, seen
 /// from the camera no farther away than any that would follow, is more than the tolerance. The
 /// finest mesh has two triangles a cell; it differs from TerrainMap::heightAt by at most a quarter
 /// of the cell's twist. Selecting does not depend on anything but map, camera and selection.

@@ -80,12 +80,13 @@ struct Picture {
 };
 
 inline Picture picture(RenderTechnique& technique, const WaterSurface& water, const Camera& camera,
-                       const EffectSettings& settings = {}) {
+                       const EffectSettings& settings = {}, double windSpeed = 7.0) {
   EffectLedger effects(settings);
   View view;
   view.water = &water;
   view.time = 3.0;
   view.camera = camera;
+  view.light.windSpeed = windSpeed;
   view.effects = &effects;
   Picture result;
   result.frame = technique.draw(view);

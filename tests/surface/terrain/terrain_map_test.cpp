@@ -36,7 +36,7 @@ std::shared_ptr<const TerrainMap> beach() {
 }
 
 WaterSurface wavySea() {
-  return WaterSurface(WaveField({makeGroupOctave(0.3, 0.2, 0.03, 0.4)}));
+  return WaterSurface(WaveField({makeGroupOctave(0.3, 0.2, 0.03, 0.4, 0.5)}));
 }
 
 TEST(TerrainMap, HeightsAreThoseOfTheGridAndLinearBetweenThem) {
