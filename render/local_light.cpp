@@ -49,7 +49,7 @@ void setRays(const ShadingConstants& c, glm::ivec2 picture, glm::ivec2 first, Pi
   const float upwards = 1.0f - (static_cast<float>(first.y) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first.x) + 0.5f) * perPixel.x - 1.0f;
   span.rayStep = c.right * perPixel.x;
-  span.firstRay = c.forward + across * c.right + upwards * c.up;
+  span.firstRay = c.middleRay + across * c.right + upwards * c.up;
 }
 
 }  // namespace
@@ -103,9 +103,9 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   const auto fill = [&](const ShadingConstants& constants, LocalImage& image) {
     image.size = {0, 0};
     if (triangles_.empty()) return;
-    ShadingSources with = sources;
     draw(view.camera.size,
-         {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
+         {constants, sources.sky, nullptr, nullptr, nullptr, nullptr, sources.shadows,
+          sources.shadowWidth},
          image);
   };
   triangles_.fillWindow(view.objects, view.camera, depth, levels);

@@ -85,6 +85,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
   Waterline waterline_;
   std::optional<WaterlinePass> waterlinePass_;
   LocalLight local_;
+  ShadingConstants constants_;  // of this frame
   std::optional<ShadingPass> shading_;
   std::optional<ComputeShading> computeShading_;
   GpuClock gpuClock_;
@@ -198,6 +199,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   input.shadows = &shadows_;
   input.waterline = waterlinePass_ ? waterlinePass_->texture() : 0;
   drawLight(view, shown, lighting, input.constants, stats);
+  constants_ = input.constants;
   input.waterIsOn = shown.water;
   input.objectsAreOn = shown.objects || groundIsShown_;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
@@ -207,7 +209,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   if (shadesInCompute()) {
     timed(view, stats, "shading", payer, [&] {
       if (!computeShading_) computeShading_.emplace();
-      computeShading_->shade(*targets_, input);
+      computeShading_->shade(*targets_, input, view.wantsRadiance);
     });
     return;
   }
@@ -257,17 +259,21 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
     glFinish();
     return;
   }
-  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, groundIsShown_, frame); });
+  timed(view, frame.stats, "readback", std::nullopt, [&] {
+    readBack(*targets_, groundIsShown_, frame);
+    readContents(*targets_, view.objects, constants_, frame);
+  });
+  frame.exposure = constants_.exposure;
   timed(view, frame.stats, "smoothing", std::nullopt,
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }
 
 void ProjectedGridTechnique::drawInto(const View& given, Frame& frame) {
   const View view = withoutSwitchedOff(given, kept_);
-  validate(view.camera);
+  validatePlain(view);
   context_.makeCurrent();
   prepareTargets(view.camera);
-  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.wantsNormals);
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.contents());
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();

@@ -61,7 +61,7 @@ void ObjectTriangles::add(const SceneObject& object, const Camera& camera, const
     for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3) {
       glm::vec3 corners[3];
       for (int k = 0; k < 3; ++k) corners[k] = rotation * part.vertices[i + k] + position;
-      Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour};
+      Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
       if (!half) {
         add(corners, face, projection, false);
         continue;
