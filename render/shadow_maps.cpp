@@ -37,15 +37,16 @@ double distanceOf(const Capsule& c) {
 }
 
 bool meetsView(const Capsule& c, const Camera& camera) {
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const double tanX = tanY * camera.aspectRatio();
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
   const glm::dvec3 forward = camera.forward(), left = camera.left(), up = camera.up();
   const auto outside = [&](const glm::dvec3& inwards) {
     const double room = c.radius * glm::length(inwards);
     return glm::dot(c.from, inwards) < -room && glm::dot(c.to, inwards) < -room;
   };
-  return !(outside(forward) || outside(tanX * forward - left) || outside(tanX * forward + left) ||
-           outside(tanY * forward - up) || outside(tanY * forward + up));
+  return !(outside(forward) || outside((half.x - middle.x) * forward - left) ||
+           outside((half.x + middle.x) * forward + left) ||
+           outside((half.y + middle.y) * forward - up) ||
+           outside((half.y - middle.y) * forward + up));
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ void ShadowMaps::aim(const View& view, const Lighting& lighting) {
 
 std::vector<ShadowMaps::Caster> ShadowMaps::castersOf(const View& view) const {
   const Camera& camera = view.camera;
-  const double pixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
+  const double pixel = camera.pixelAngle();
   const double bound = view.water ? view.water->heightBound(view.time) : 0.0;
   double lowest = 0.0;  // of all things, above still water
   for (const SceneObject& o : view.objects) {
@@ -201,8 +202,7 @@ void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& ligh
     *this = {};
     return;
   }
-  const Camera& camera = view.camera;
-  place(casters, 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y);
+  place(casters, view.camera.pixelAngle());
   gather(casters);
   draw();
   view.effects->holdMemory(Effect::shadows, texels_.capacity() * sizeof(float) +

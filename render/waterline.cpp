@@ -13,10 +13,9 @@ namespace {
 std::vector<float> heightsOf(const View& view) {
   const Camera& camera = view.camera;
   constexpr int side = Waterline::cells + 1;
-  const double tanY = camera.nearDistance * std::tan(0.5 * camera.verticalFieldOfView);
-  const glm::dvec3 right = -camera.left() * (tanY * camera.aspectRatio());
-  const glm::dvec3 up = camera.up() * tanY;
-  const glm::dvec3 middle = camera.position + camera.forward() * camera.nearDistance;
+  const glm::dvec3 right = camera.rightHalf() * camera.nearDistance;
+  const glm::dvec3 up = camera.upperHalf() * camera.nearDistance;
+  const glm::dvec3 middle = camera.position + camera.middleRay() * camera.nearDistance;
   std::vector<glm::dvec2> points;
   std::vector<double> levels;
   for (int row = 0; row < side; ++row) {
@@ -57,9 +56,9 @@ void Waterline::fill(const View& view, bool waterIsShown) {
     return;
   }
   const Camera& camera = view.camera;
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
   // No point of the near plane is farther from the eye.
-  const double reach = camera.nearDistance * std::hypot(1.0, tanY, tanY * camera.aspectRatio());
+  const glm::dvec2 farthest = camera.halfPicture() + glm::abs(camera.pictureMiddle());
+  const double reach = camera.nearDistance * std::hypot(1.0, farthest.x, farthest.y);
   const double bound = view.water->heightBound(view.time) + reach;
   if (view.effects->isOff(Effect::underWater)) {
     allUnder_ = cameraIsUnderWater(view);

@@ -85,8 +85,7 @@ void ObjectTriangles::addBent(const glm::vec3 (&corners)[3], const Face& face, c
 void ObjectTriangles::fillWindow(std::span<const SceneObject> objects, const Camera& camera,
                                  double depth, std::span<const double> levels) {
   clear();
-  const double pixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
-  const Window window{ScreenProjection(camera), depth, pixel / 3.0};
+  const Window window{ScreenProjection(camera), depth, camera.pixelAngle() / 3.0};
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const SceneObject& object = objects[i];
     if (!object.mesh || !std::isfinite(levels[i])) continue;
@@ -101,7 +100,7 @@ void ObjectTriangles::fillWindow(std::span<const SceneObject> objects, const Cam
           corners[c] = rotation * part.vertices[k + c] + glm::vec3(centre);
         }
         const int count = cutAtLevel(corners, level, 1.0f, kept);
-        const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour};
+        const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
         for (int c = 2; c < count; ++c) {
           addBent({kept[0], kept[c - 1], kept[c]}, face, window, mostSplits);
         }

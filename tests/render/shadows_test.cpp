@@ -220,6 +220,7 @@ TEST(ShadowsHard, ManyThingsNearAndFarAndSlantsOfTheSunDrawNumbers) {
     stage.objects.push_back({i % 10 ? &mesh : &bad,
                              {away, away * 0.5 * std::sin(2.4 * i), 0.0},
                              {1, 0, 0, 0},
+                             0,
                              ObjectKind::scenery});
   }
   const auto technique = makeSoftwareGrid({.grid = {64, 64}});

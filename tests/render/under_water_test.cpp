@@ -244,7 +244,7 @@ TEST(UnderWaterHard, ThingsThatCrossTheSurfaceAndEyesInsideThemDrawNumbers) {
         Stage stage;
         stage.camera = test::cameraAt({0, 0, height}, pitch, 20.0, 90.0, {48, 40});
         stage.objects = {{&mesh, {away, 0.2, 0.3}, {1, 0, 0, 0}},
-                         {&one, {away, -3.0, 0.0}, {1, 0, 0, 0}, ObjectKind::scenery}};
+                         {&one, {away, -3.0, 0.0}, {1, 0, 0, 0}, 0, ObjectKind::scenery}};
         const Frame frame = stage.draw(*technique);
         for (const float d : frame.depth.metres) ASSERT_TRUE(d > 0.0f) << height << ' ' << pitch;
         ShadingConstants constants;
