@@ -24,21 +24,23 @@ SHADER Real fresnel(Real cosine, float index) {
 
 // Radiance for each irradiance of a light that facets of Gaussian slopes mirror (Cox & Munk's
 // picture): Fresnel × density of the slope that mirrors, over 4 cos⁴ of its tilt and the area the
-// viewer sees. `lit`: part of the facets that no wave hides from the light.
+// viewer sees. `lit`: part of the facets that no wave hides from the light. `rootFacing`, `spread`: of
+// the surface as it is drawn, and the deviation of all slopes on it: ripples, which are not, must not
+// count as often as the pixels that they turn to the viewer.
 SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real variance,
-                             Real rootCosine) {
+                             Real rootFacing, Real spread) {
   Real3 halfway = toViewer + toLight;
   halfway = halfway * inversesqrt(max(dot(halfway, halfway), 1e-12f));
   Real tall = max(halfway.z, 1e-3f);
   Real offX = -halfway.x / tall - slope.x;
   Real offY = -halfway.y / tall - slope.y;
   // The sun is half a degree wide; that alone spreads the slopes that mirror it.
-  Real spread = variance + 1.2e-5f;
-  Real exponent = -0.5f * (offX * offX + offY * offY) / spread;
+  Real width = variance + 1.2e-5f;
+  Real exponent = -0.5f * (offX * offX + offY * offY) / width;
   Real strength = Real(0.0f);
   if (anyOf(exponent > -16.0f)) {
-    Real density = exp(max(exponent, -60.0f)) / (6.2831853f * spread);
-    Real area = roughArea(rootCosine, sqrt(variance));
+    Real density = exp(max(exponent, -60.0f)) / (6.2831853f * width);
+    Real area = roughArea(rootFacing, spread);
     Real cosine = max(dot(toViewer, halfway), 0.0f);
     strength = lit * fresnel(cosine, 1.34f) * density /
                (4.0f * tall * tall * tall * tall * max(area, 0.02f));
@@ -73,10 +75,10 @@ SHADER Real mirroredByLobe(Real3 toViewer, Real3 toLight, Real2 slope) {
 }
 
 SHADER Real mirroredLight(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real variance,
-                          Real rootCosine) {
+                          Real rootFacing, Real spread) {
   Real strength = Real(0.0f);
   if (specular == 0) {
-    strength = mirroredByFacets(toViewer, toLight, lit, slope, variance, rootCosine);
+    strength = mirroredByFacets(toViewer, toLight, lit, slope, variance, rootFacing, spread);
   } else {
     strength = mirroredByLobe(toViewer, toLight, slope);
   }

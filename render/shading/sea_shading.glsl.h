@@ -368,13 +368,16 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   }
   if (belowIsOn) fromBelow = withObjectsBelow(relative, distance, toViewer, slope, fromBelow);
   Real3 colour = mix(fromBelow, sky, mirror);
+  Real drawn = toViewer.z - waveSlope.x * toViewer.x - waveSlope.y * toViewer.y;
+  Real rootFacing = sqrt(max(drawn, 0.0f) * inversesqrt(1.0f + dot(waveSlope, waveSlope)));
+  Real spread = sqrt(variance + 0.5f * rippled);
   if (sunIsOn) {
     Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(sunlitFacets), slope,
-                                     variance, rootCosine);
+                                     variance, rootFacing, spread);
     colour = colour + Real3(sunLight) * (mirroredSun * open * sunlit);
   }
   if (lampCount > 0) {
-    colour = colour + lampGlitter(relative, toViewer, slope, variance, rootCosine) * open;
+    colour = colour + lampGlitter(relative, toViewer, slope, variance, rootFacing, spread) * open;
   }
   if (anyOf(white > 0.0f)) {
     Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *

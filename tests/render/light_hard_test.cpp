@@ -14,8 +14,8 @@ namespace {
 
 std::vector<std::unique_ptr<RenderTechnique>> allTechniques() {
   std::vector<std::unique_ptr<RenderTechnique>> techniques;
-  for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu,
-                                    GridVariant::cpuVerticesGpuNormals, GridVariant::marched}) {
+  // Other variants shade by the programs of `gpu`.
+  for (const GridVariant variant : {GridVariant::gpu, GridVariant::marched}) {
     techniques.push_back(
         makeProjectedGrid(test::sharedContext(), {.grid = {48, 64}, .variant = variant}));
   }
