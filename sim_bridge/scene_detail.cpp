@@ -179,6 +179,7 @@ void SceneDetail::paintStroke(long long stroke, std::span<const Vessel> vessels)
   const glm::dvec2 current = sea_->surface.waves().settings().current;
   for (const Trail& trail : trails_) {
     if (trail.free && vessels.empty() && from >= 0.0) continue;
+    if (trail.vessel < away_.size() && away_[trail.vessel]) continue;
     const bool hosted = !vessels.empty() && vessels[trail.vessel].hosted();
     const bool follows = (trail.free && !vessels.empty()) || hosted;
     if (hosted && leaps(vessels[trail.vessel], from, to)) continue;
@@ -232,10 +233,26 @@ bool SceneDetail::advancePools(double t, EffectLedger* ledger) {
 }
 
 void SceneDetail::advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
+  time_ = t;
   const bool painted = paint(t, vessels, ledger);
   const bool rippled = advancePools(t, ledger);
   if (painted || rippled || !detail_) detail_ = snapshot();
   if (ledger) report(t, ledger);
+}
+
+SceneDetail::Span SceneDetail::span() const {
+  const auto about = [&](double step) {
+    const double index = std::floor(time_ / step);
+    return Span{index * step, (index + 1.0) * step};
+  };
+  Span span = about(strokeLength);
+  const auto narrow = [&](double from, double to) {
+    span = {std::max(span.from, from), std::min(span.to, to)};
+  };
+  if (!pools_.empty()) narrow(about(RipplePool::step).from, about(RipplePool::step).to);
+  if (nextPatch_ > 0) narrow(patches_[nextPatch_ - 1].time, span.to);
+  if (nextPatch_ < patches_.size()) narrow(span.from, patches_[nextPatch_].time);
+  return span;
 }
 
 std::shared_ptr<const SurfaceDetail> SceneDetail::snapshot() const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim_bridge/scene/scene.h"
@@ -43,6 +44,21 @@ class SceneDetail {
   void advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger = nullptr);
   void advance(double t, EffectLedger* ledger = nullptr) { advance(t, {}, ledger); }
 
+  /// Whether there can ever be anything.
+  bool canShow() const { return !trails_.empty() || !patches_.empty() || !pools_.empty(); }
+
+  /// Vessels that are not on their courses from now on, by their place in the scene: they leave no
+  /// trails there. For those who give `advance` no vessels.
+  void setAway(std::vector<bool> vessels) { away_ = std::move(vessels); }
+
+  /// From when to before when `detail` is what it would be at that time, s: strokes and pools have
+  /// steps. After an `advance`.
+  struct Span {
+    double from, to;
+    bool covers(double t) const { return t >= from && t < to; }
+  };
+  Span span() const;
+
   /// As of the last `advance`; null where there is nothing.
   std::shared_ptr<const SurfaceDetail> detail() const { return detail_; }
 
@@ -73,12 +89,14 @@ class SceneDetail {
     std::size_t vessel;  // by its place in the scene
     bool free;
   };
-  std::vector<Trail> trails_;   // of vessels under way
+  std::vector<Trail> trails_;  // of vessels under way
+  std::vector<bool> away_;
   std::vector<Patch> patches_;  // by time; those before nextPatch_ are painted
   std::size_t nextPatch_ = 0;
   std::optional<SurfaceLayer> foam_, smooth_, oil_;
   std::vector<RipplePool> pools_;
   std::optional<long long> nextStroke_;
+  double time_ = 0.0;  // of the last advance
   std::shared_ptr<const SurfaceDetail> detail_;
 };
 

@@ -15,7 +15,7 @@ namespace seaway::bridge {
 namespace {
 
 constexpr int largest = 4096;
-constexpr double longestWait = 1.0;  // s, for wakes
+constexpr double longestWait = 1.0;  // s, for wakes and what lies on the water
 
 void requireDrawable(const FrameRequest& request) {
   if (!(std::abs(request.t) <= WaveField::latest)) {
@@ -148,10 +148,9 @@ FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
   };
   const render::Camera placed = placedCamera(scene, camera, seen(), size);
   const WakeListener eye{glm::dvec2(placed.position), cameraReach, 0};
-  if (has(sea_.attend(request.t, std::span(&eye, 1)), SampleStatus::wakeOutOfTime) &&
-      sea_.awaitWakes(longestWait)) {
-    moment.surface = sea_.surface();
-  }
+  sea_.attend(request.t, std::span(&eye, 1));
+  sea_.awaitWakes(longestWait);
+  moment.surface = sea_.surface();
   EffectLedger ledger(scene.effects);
   auto frame = std::make_shared<render::Frame>();
   render::View view = scenery_->view.view(seen(), camera, size, ledger);

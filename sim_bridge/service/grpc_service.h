@@ -21,7 +21,7 @@ struct GrpcServiceOptions {
   std::string certificateFile;  ///< PEM
   std::string keyFile;          ///< PEM
   std::string tokenFile;
-  bool insecure = false;        ///< beyond this machine without those
+  bool insecure = false;            ///< beyond this machine without those
   std::size_t mostPoints = 250000;  ///< of a request
 };
 

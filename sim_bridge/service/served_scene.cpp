@@ -10,7 +10,8 @@ namespace seaway::bridge {
 ServedScene::ServedScene(const Scene& loaded, Sea built)
     : scene(loaded),
       sea(std::move(built)),
-      wakesAllowed(scene.effects[static_cast<std::size_t>(Effect::wake)] != EffectSetting::off) {
+      wakesAllowed(scene.effects[static_cast<std::size_t>(Effect::wake)] != EffectSetting::off),
+      detail(scene, sea) {
   for (const SceneVessel& vessel : scene.vessels) {
     const auto cascade = wakeCascade(scene, vessel.model.hull);
     vessels.push_back({.course = courseOf(vessel, sea.geodesy),

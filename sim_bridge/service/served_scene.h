@@ -6,6 +6,7 @@
 
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
+#include "sim_bridge/scene_detail.h"
 #include "sim_bridge/vessel/course.h"
 
 namespace seaway::bridge {
@@ -19,7 +20,8 @@ struct ServedVessel {
   double step = 0.1;          ///< of the finest window, s
 };
 
-/// A scene with its sea, as they were loaded. Immutable.
+/// A scene with its sea, as they were loaded. Immutable. Throws InputError for a layer's file that
+/// cannot be read.
 struct ServedScene {
   ServedScene(const Scene& loaded, Sea built);
   ServedScene(const ServedScene&) = delete;
@@ -28,6 +30,7 @@ struct ServedScene {
   Sea sea;
   bool wakesAllowed;                  ///< the scene does not switch wakes off
   std::vector<ServedVessel> vessels;  ///< one each of the scene's
+  const SceneDetail detail;           ///< before anything has happened: to be copied
 
   /// Handle of the wake of the scene's own vessel `index`; hosts' hulls have theirs below.
   static constexpr std::uint32_t handleOf(std::size_t index) {

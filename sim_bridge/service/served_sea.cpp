@@ -16,6 +16,7 @@ ServedSea::ServedSea(const Scene& scene, Sea sea) : geodesy_(sea.geodesy) {
   scene_.publish(noted_);
   publish();
   thread_ = std::jthread([this](const std::stop_token& stop) { keepWakes(stop); });
+  detailThread_ = std::jthread([this](const std::stop_token& stop) { keepDetail(stop); });
 }
 
 ServedSea::~ServedSea() = default;
@@ -36,6 +37,7 @@ void ServedSea::publish() {
     surface.setDetail(own.extras().detail);
   }
   if (feed_) surface.setDisturbances(feed_);
+  if (detail_) surface.setDetail(detail_);
   surface_.publish(std::make_shared<const WaterSurface>(std::move(surface)));
 }
 
@@ -89,6 +91,10 @@ void ServedSea::replaceScene(const Scene& scene, Sea sea) {
   fleet_.retell();
   composed_ = noted_ = next;
   feed_ = nullptr;
+  detail_ = nullptr;
+  detailAsked_.time = -std::numeric_limits<double>::infinity();
+  detailAsked_.brought.reset();
+  detailAsked_.effects.clear();
   ++wavesVersion_;
   publish();
   scene_.publish(next);

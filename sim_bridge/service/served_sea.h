@@ -1,8 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,6 +22,7 @@
 #include "sim_bridge/service/served_scene.h"
 #include "sim_bridge/service/wake_attention.h"
 #include "surface/disturbance/published.h"
+#include "surface/effects.h"
 #include "surface/water_surface.h"
 
 namespace seaway::bridge {
@@ -42,7 +45,11 @@ struct ServedMoment {
 /// The one sea that all endpoints of a service ask and change. Thread-safe: readers take the
 /// surface without waiting, nobody waits for wakes, and what others wait for takes microseconds.
 ///
-/// Without wakes the sea is a function of t alone. Wakes are there for a span of time (WakeKeeper,
+/// What lies on the water and ripples it (SceneDetail) follows the latest time that was asked for
+/// in the last five seconds, on a thread of its own, as far as the scene has any. Vessels that
+/// hosts sail leave no trail.
+///
+/// Without either the sea is a function of t alone. Wakes are there for a span of time (WakeKeeper,
 /// WakeAttention), brought on by a thread of the sea's own where somebody asks near them
 /// (`attend`); answers outside that span say `wakeOutOfTime`. Where a scene switches wakes off
 /// there is no thread.
@@ -94,11 +101,13 @@ class ServedSea {
 
   /// Who asks, and when: returns at once, and the sea's thread brings the wakes there. The status,
   /// which belongs to that of each answer, says `wakeOutOfTime` where wakes are near a listener and
-  /// are not there at `t` now.
+  /// are not there at `t` now, and where what lies on the water is that of a time more than half a
+  /// second away.
   SampleStatus attend(double t, std::span<const WakeListener> listeners);
   /// The time that was asked for last, s; 0 before any.
   double lastTime() const { return lastTime_; }
-  /// Waits until wakes are as they were called for before: true; not longer than `seconds`: false.
+  /// Waits until wakes, and what lies on the water, are as they were called for before: true; not
+  /// longer than `seconds`: false.
   bool awaitWakes(double seconds) const;
   /// From when to when wakes are there; nothing where there are none.
   std::optional<std::pair<double, double>> wakeSpan() const;
@@ -108,11 +117,16 @@ class ServedSea {
     std::size_t memoryBytes = 0;
   };
   WakeFigures wakeFigures() const;
+  /// What the effects that SceneDetail charges did last; empty before that.
+  std::vector<EffectReport> detailEffects() const;
 
  private:
   void publish();
   void keepWakes(const std::stop_token& stop);
   void bringWakes(std::unique_ptr<WakeKeeper>& keeper, std::unique_lock<std::mutex>& lock);
+  SampleStatus attendDetail(double t, std::chrono::steady_clock::time_point now);
+  void keepDetail(const std::stop_token& stop);
+  void setDetail(std::shared_ptr<const SurfaceDetail> detail, const ServedScene& of);
   void setFeed(std::shared_ptr<const DisturbanceFeed> feed, const ServedScene& of);
   void findNear(double t, const WakeListener& listener, std::vector<std::uint32_t>& out) const;
   bool isBrought(double t, std::uint32_t wake) const;
@@ -130,6 +144,7 @@ class ServedSea {
   std::shared_ptr<const ServedScene> composed_;
   std::shared_ptr<const WaveField> hostWaves_;  // null: the scene's
   std::shared_ptr<const DisturbanceFeed> feed_;
+  std::shared_ptr<const SurfaceDetail> detail_;
 
   // What hosts do; held for microseconds alone.
   mutable std::mutex noting_;
@@ -143,7 +158,18 @@ class ServedSea {
   std::set<std::uint32_t> broughtWakes_;        // of these hulls, as far as they make any
   std::vector<std::uint32_t> near_;
   WakeFigures figures_;
-  std::jthread thread_;  // goes first
+
+  // The same of what lies on the water.
+  struct DetailAsked {
+    double time = -std::numeric_limits<double>::infinity();
+    std::chrono::steady_clock::time_point heard{};
+    std::uint64_t calls = 0, answers = 0;
+    bool wanted = false;
+    std::optional<SceneDetail::Span> brought;
+    std::vector<EffectReport> effects;
+  } detailAsked_;
+
+  std::jthread thread_, detailThread_;  // go first
 };
 
 }  // namespace seaway::bridge

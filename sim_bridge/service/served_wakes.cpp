@@ -58,9 +58,10 @@ bool ServedSea::isBrought(double t, std::uint32_t wake) const {
 SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners) {
   if (!std::isfinite(t)) return SampleStatus::ok;
   lastTime_.store(t, std::memory_order_relaxed);
-  const std::lock_guard lock(noting_);
-  if (!noted_->wakesAllowed) return SampleStatus::ok;
   const auto now = WakeAttention::Clock::now();
+  const std::lock_guard lock(noting_);
+  const SampleStatus detail = attendDetail(t, now);
+  if (!noted_->wakesAllowed) return detail;
   bool brought = true;
   for (const WakeListener& listener : listeners) {
     if (!WaveField::serves(listener.position, t)) continue;
@@ -70,7 +71,7 @@ SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners
     attention_.note(t, listener, now);
     for (const std::uint32_t wake : near_) brought = brought && isBrought(t, wake);
   }
-  if (brought) return SampleStatus::ok;
+  if (brought) return detail;
   ++calls_;
   if (!std::exchange(wanted_, true)) called_.notify_all();
   return SampleStatus::wakeOutOfTime;
@@ -78,9 +79,10 @@ SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners
 
 bool ServedSea::awaitWakes(double seconds) const {
   std::unique_lock lock(noting_);
-  const std::uint64_t mine = calls_;
-  return brought_.wait_for(lock, std::chrono::duration<double>(seconds),
-                           [&] { return answers_ >= mine; });
+  const std::uint64_t mine = calls_, mineOfDetail = detailAsked_.calls;
+  return brought_.wait_for(lock, std::chrono::duration<double>(seconds), [&] {
+    return answers_ >= mine && detailAsked_.answers >= mineOfDetail;
+  });
 }
 
 std::optional<std::pair<double, double>> ServedSea::wakeSpan() const {

@@ -75,6 +75,12 @@ std::vector<EffectReport> ServiceStatus::effects() const {
   all[static_cast<std::size_t>(Effect::waves)].memoryBytes = surface->waves().memoryBytes();
   tell(Effect::vesselMotion, !scene->vessels.empty(),
        "vessels lie on the water where no host places them", "the scene has no vessel");
+  const std::vector<EffectReport> onWater = sea_.detailEffects();
+  for (const Effect effect :
+       {Effect::trail, Effect::oil, Effect::ripples, Effect::splash, Effect::rain}) {
+    const auto i = static_cast<std::size_t>(effect);
+    if (!onWater.empty()) all[i] = onWater[i];
+  }
   EffectReport& wake = all[static_cast<std::size_t>(Effect::wake)];
   const ServedSea::WakeFigures wakes = sea_.wakeFigures();
   if (wake.state == EffectState::off) return all;

@@ -14,8 +14,8 @@ namespace seaway::bridge {
 /// Who has asked lately where wakes may be, and for when. Not thread-safe.
 ///
 /// Wakes are there at one time only: the latest that anyone has asked for in the last five
-/// seconds of real time. A host whose clock is behind another's is answered without them, with a status;
-/// when the other falls silent, or begins again, the wakes follow.
+/// seconds of real time. A host whose clock is behind another's is answered without them, with a
+/// status; when the other falls silent, or begins again, the wakes follow.
 class WakeAttention {
  public:
   using Clock = std::chrono::steady_clock;

@@ -7,6 +7,7 @@ build="$1" work="$2"
 rm -rf "$work"
 mkdir -p "$work"
 cmake --install "$build" --prefix "$work/first" >/dev/null
+cmake --install "$build" --prefix "$work/first" --component cpp >/dev/null
 mv "$work/first" "$work/prefix"
 prefix="$work/prefix"
 
@@ -18,6 +19,12 @@ configs="$(cat "$work/build/configs.txt")"
 found="$("$work/build/consumer" "$configs/scenes/canaveral.yaml")"
 echo "$found"
 "$work/build/consumer_cpp"
+
+echo "== the C++ library"
+cmake -S "$here/cpp" -B "$work/cpp" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS="-Wall -Werror" \
+  >"$work/configure.log" || { cat "$work/configure.log"; exit 1; }
+cmake --build "$work/cpp" >"$work/build.log" || { cat "$work/build.log"; exit 1; }
+"$work/cpp/height"
 
 echo "== pkg-config"
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"

@@ -20,8 +20,8 @@ std::size_t pixelsOf(const render::Frame& frame, render::PixelClass kind) {
 }
 
 // The scene's own vessels lie on the water as a replayed simulation's do on calm water.
-TEST(FrameMaker, DrawsThePictureThatTheRenderCommandDraws) {
-  ServedWaters served(test::pilotScene("effects: {wake: off, trail: off}\n"));
+void expectThePictureOfTheRenderCommand(const std::string& more) {
+  ServedWaters served(test::pilotScene(more));
   FrameMaker frames(served.sea);
   const auto drawn = frames.draw({.camera = "mast", .t = 4.0});
   const Sea sea = buildSea(served.scene);
@@ -35,6 +35,20 @@ TEST(FrameMaker, DrawsThePictureThatTheRenderCommandDraws) {
   EXPECT_EQ(drawn->colour.rgb, expected.colour.rgb);
   EXPECT_EQ(drawn->depth.metres, expected.depth.metres);
   EXPECT_FALSE(frames.effects().empty());
+}
+
+TEST(FrameMaker, DrawsThePictureThatTheRenderCommandDraws) {
+  expectThePictureOfTheRenderCommand("effects: {wake: off, trail: off}\n");
+}
+
+TEST(FrameMaker, ShowsTrailsOilAndRipplesAsTheRenderCommandDoes) {
+  expectThePictureOfTheRenderCommand(test::oilAndRipples);
+  // And they are seen.
+  ServedWaters with(test::pilotScene(test::oilAndRipples));
+  ServedWaters without(test::pilotScene("effects: {wake: off, trail: off}\n"));
+  FrameMaker frames(with.sea), bare(without.sea);
+  const FrameRequest mast{.camera = "mast", .t = 4.0};
+  EXPECT_NE(frames.draw(mast)->colour.rgb, bare.draw(mast)->colour.rgb);
 }
 
 TEST(FrameMaker, ShowsAHostsHullWhereItWasPlacedAndAMountedCameraOnIt) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim_bridge/scene_detail.h"
 #include "sim_bridge/simulation.h"
 #include "surface/angles.h"
 #include "tests/sim_bridge/service/served_waters.h"
@@ -197,6 +198,52 @@ TEST(ServedWakesHard, TwoHostsWithClocksApartAreBothAnswered) {
     EXPECT_EQ(served.sea.attend(100.0, std::span(&late, 1)), SampleStatus::ok);
     EXPECT_TRUE(std::isfinite(served.sea.surface()->sample({0.0, 0.0}, 1.0).height));
   }
+}
+
+// As `seaway query` asks it.
+TEST(ServedDetail, WhatRipplesTheWaterIsThatOfTheTimeAskedFor) {
+  ServedWaters served(pilotScene(test::oilAndRipples));
+  const Sea sea = buildSea(served.scene);
+  SceneDetail detail(served.scene, sea);
+  for (const double t : {3.0, 6.0, 6.02}) {
+    served.bringWakes(t, {44.5, 44.2});
+    detail.advance(t);
+    WaterSurface expected = sea.surface;
+    expected.setDetail(detail.detail());
+    double largest = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      const glm::dvec2 point(35.0 + 0.2 * i, 44.0);
+      const double height = served.sea.surface()->sample(point, t).height;
+      EXPECT_EQ(height, expected.sample(point, t).height) << t << " " << i;
+      largest = std::max(largest, std::abs(height));
+    }
+    EXPECT_GT(largest, 1e-4);
+  }
+}
+
+TEST(ServedDetail, AskersOfAnotherTimeAreToldAndNeverWait) {
+  ServedWaters served(pilotScene(test::oilAndRipples));
+  const WakeListener listener{{44.0, 44.0}, 1.0, 0};
+  const auto ask = [&](double t) { return served.sea.attend(t, std::span(&listener, 1)); };
+  EXPECT_EQ(ask(6.0), SampleStatus::wakeOutOfTime);
+  EXPECT_TRUE(served.sea.awaitWakes(60.0));
+  EXPECT_EQ(ask(6.0), SampleStatus::ok);
+  EXPECT_EQ(ask(2.0), SampleStatus::wakeOutOfTime);  // of a clock behind
+  EXPECT_EQ(ask(6.3), SampleStatus::ok);             // on its way
+}
+
+TEST(ServedDetail, AVesselThatAHostSailsLeavesNoTrailOnItsCourse) {
+  ServedWaters served(pilotScene("effects: {wake: off}\n"));
+  const auto foam = [&](double t) {
+    served.bringWakes(t, {0.0, 0.0});
+    const auto lies = served.sea.surface()->extras().detail;
+    return lies && lies->cover.foam ? lies->cover.foam->cellCount() : std::size_t{0};
+  };
+  EXPECT_GT(foam(4.0), 0u);
+  ServedWaters sailed(pilotScene("effects: {wake: off}\n"));
+  sailed.sea.place(sailed.sea.addHull(0), 0.0, sailed.poseAt({300.0, 0.0}));
+  sailed.bringWakes(4.0, {0.0, 0.0});
+  EXPECT_EQ(sailed.sea.surface()->extras().detail, nullptr);
 }
 
 TEST(ServedSea, AReloadedSceneKeepsHullsWhoseVesselIsThereStill) {

@@ -28,6 +28,13 @@ inline std::string pilotScene(const std::string& more = "", const std::string& s
          more + "run: {step_s: 0.05, size: [96, 64]}\n";
 }
 
+/// For pilotScene: oil, and a float that bobs ahead of the buoy, far from both hulls; no wakes.
+inline const std::string oilAndRipples =
+    "effects: {wake: off}\n"
+    "layers: [{kind: oil, place: {latitude_deg: 0.0008, longitude_deg: 0}, radius_m: 8, "
+    "cover: 0.9}]\n"
+    "ripples: [{place: {latitude_deg: 0.0004, longitude_deg: 0.0004}, height_m: 0.05}]\n";
+
 inline Scene loadText(const std::string& text) {
   const TempFolder folder;
   folder.write("launch.yaml", vesselText());
