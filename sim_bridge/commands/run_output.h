@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/frame.h"
+#include "sim_bridge/output/frame_files.h"
 #include "sim_bridge/scene/scene.h"
 #include "surface/field/blocked_octaves.h"
 
@@ -14,7 +15,7 @@ namespace seaway::bridge {
 /// Where the files of one `seaway run` go.
 ///
 /// `summary.json` lists what a run wrote: `telemetry` by name, and of each of `cameras` as many
-/// `frames`, numbered from 0. Until it is there the same list stands in
+/// `frames`, numbered from 0, each with the kinds of files in `also`. Until it is there the same list stands in
 /// `summary.json.unfinished`, so that a run that was cut off is cleared away as well.
 class RunFolder {
  public:
@@ -22,10 +23,15 @@ class RunFolder {
   /// summary that an earlier run left there and exactly the files that it lists, with folders of
   /// cameras that this empties; and leaves the list of the files that are to come: `frames` of each
   /// camera.
-  RunFolder(std::filesystem::path folder, const Scene& scene, long long frames);
+  RunFolder(std::filesystem::path folder, const Scene& scene, long long frames,
+            std::vector<std::string> also = {});
 
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path frame(std::size_t camera, long long index) const;
+
+  /// What else is written of that frame: a file for each word of `also` (frameFileKinds).
+  FrameFiles files(std::size_t camera, long long index) const;
+  const std::vector<std::string>& also() const { return also_; }
 
   /// Makes the summary appear: the run is whole.
   void finish(const std::string& summary) const;
@@ -36,7 +42,7 @@ class RunFolder {
   std::filesystem::path frames(std::size_t camera) const;
 
   std::filesystem::path folder_;
-  std::vector<std::string> cameras_;
+  std::vector<std::string> cameras_, also_;
 };
 
 /// What a run did, for summary.json.
@@ -50,6 +56,7 @@ struct RunSummary {
   std::map<std::string, double> timingsMs;  ///< totals by stage
   std::map<std::string, double> passesMs;   ///< totals of the technique's passes
   render::FrameStats lastFrame;
+  std::vector<std::string> also;  ///< what else was written of each frame
 
   std::string json(const Scene& scene) const;
 };
