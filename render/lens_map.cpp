@@ -35,21 +35,28 @@ bool keepsSense(const glm::dmat2& m) {
   return glm::determinant(m) > 0.0 && m[0][0] + m[1][1] > 0.0;
 }
 
-/// Newton's method from a place near by; false where it leaves the sheet.
+/// Newton's method from a place near by, its steps halved where they overshoot; false where it leaves
+/// the sheet.
 bool refine(const Distortion& d, glm::dvec2 seen, glm::dvec2& place) {
-  double before = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 30; ++step) {
-    const glm::dmat2 by = derivatives(d, place);
-    if (!keepsSense(by) || !(glm::length(place) <= farthestOff)) return false;
-    const glm::dvec2 off = distorted(d, place) - seen;
-    const double left = glm::length(off);
-    if (left <= 1e-15 * (1.0 + glm::length(seen)) || left >= before) {
-      return left <= 1e-12 * (1.0 + glm::length(seen));
+  const double enough = 1e-15 * (1.0 + glm::length(seen));
+  glm::dvec2 off = distorted(d, place) - seen;
+  glm::dmat2 by = derivatives(d, place);
+  for (int iteration = 0; iteration < 100 && glm::length(off) > enough; ++iteration) {
+    glm::dvec2 step = -(glm::inverse(by) * off);
+    bool isNearer = false;
+    for (int halving = 0; halving < 30 && !isNearer; ++halving, step *= 0.5) {
+      const glm::dvec2 next = place + step, nextOff = distorted(d, next) - seen;
+      const glm::dmat2 nextBy = derivatives(d, next);
+      isNearer = glm::length(nextOff) < glm::length(off) && keepsSense(nextBy);
+      if (!isNearer) continue;
+      place = next;
+      off = nextOff;
+      by = nextBy;
     }
-    before = left;
-    place -= glm::inverse(by) * off;
+    if (!isNearer) break;  // as near as rounding, or a fold, allows
   }
-  return false;
+  return glm::length(off) <= 1e-12 * (1.0 + glm::length(seen)) && keepsSense(by) &&
+         glm::length(place) <= farthestOff;
 }
 
 std::string coefficients(const Distortion& d) {
@@ -145,7 +152,8 @@ LensMap lensMap(const Camera& camera, int samplesPerSide) {
   const glm::dvec2 pixel = samples.step / largestScale(distortion, places);
   // A pixel more on each side: the places at the rim are read between pixels, and edges are smoothed.
   const glm::dvec2 sides = glm::ceil((most - least) / pixel) + 5.0;
-  if (!(sides.x * sides.y <= static_cast<double>(mostLensPixels)) || glm::any(glm::greaterThan(sides, glm::dvec2(32768.0)))) {
+  if (!(sides.x * sides.y <= static_cast<double>(mostLensPixels)) ||
+      std::max(sides.x, sides.y) > 32768.0) {
     std::ostringstream message;
     message << "camera: distortion " << coefficients(distortion)
             << " needs an undistorted picture of " << sides.x << " x " << sides.y

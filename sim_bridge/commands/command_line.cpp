@@ -12,6 +12,7 @@
 #include "sim_bridge/commands/cost.h"
 #include "sim_bridge/commands/explain.h"
 #include "sim_bridge/commands/fit.h"
+#include "sim_bridge/commands/gallery.h"
 #include "sim_bridge/commands/hull.h"
 #include "sim_bridge/commands/layer.h"
 #include "sim_bridge/commands/query.h"
@@ -36,6 +37,7 @@ constexpr AddCommand commands[] = {
     addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
     addHullCommand, addSailCommand,  addSchemaCommand, addSelftestCommand,
     addTuneCommand,
+    addGalleryCommand,
 };
 
 constexpr int failed = 1;

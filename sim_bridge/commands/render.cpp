@@ -9,6 +9,7 @@
 #include "render/technique_choice.h"
 #include "sim_bridge/commands/free_camera.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/output/frame_files.h"
 #include "sim_bridge/output/picture_file.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
@@ -24,6 +25,7 @@ struct Drawn {
   render::Frame frame;
   double drawMs = 0.0;
   std::optional<render::FrameComparison> comparison;
+  nlohmann::ordered_json description;  ///< of the frame, where the report holds it
 };
 
 nlohmann::ordered_json asJson(const render::FrameComparison& comparison) {
@@ -64,6 +66,7 @@ void report(const RenderOptions& options, const SceneCamera& camera, const Drawn
                                 {"vertex_efficiency", stats.vertexEfficiency},
                                 {"bound_redraws", stats.boundRedraws}};
   if (drawn.comparison) result["compare"] = asJson(*drawn.comparison);
+  if (!drawn.description.is_null()) result["frame"] = drawn.description;
   out << result.dump(2) << '\n';
 }
 
@@ -73,11 +76,12 @@ struct Request {
   SceneCamera camera;
   glm::ivec2 size;
   render::TechniqueChoice choice;
+  FrameFiles files;
 };
 
 Request requestFrom(const RenderOptions& options) {
   render::requireBackend(options.backend);
-  Request request{loadScene(options.scene), {}, {}, {}};
+  Request request{loadScene(options.scene), {}, {}, {}, {}};
   requireTime(options.time);
   request.camera = options.from.empty() ? findCamera(request.scene, options.camera)
                                         : freeCamera(options);
@@ -91,12 +95,31 @@ Request requestFrom(const RenderOptions& options) {
   if (!options.compare.empty() && options.compare != "reference") {
     throw InputError("--compare: '" + options.compare + "' is not allowed; must be: reference");
   }
+  request.files = {.depth = options.depth,
+                   .normals = options.normals,
+                   .radiance = options.radiance,
+                   .labels = options.labels,
+                   .json = options.frameJson};
   requireWritablePicture(options.out);
-  for (const std::string* exr : {&options.depth, &options.normals}) {
-    if (!exr->empty()) requireWritableExr(*exr);
+  requireWritable(request.files);
+  applyLens(options.lens, request.size, request.camera);
+  if (!options.compare.empty() && request.camera.distortion) {
+    throw InputError("--compare: not with distortion; it compares pinholes");
   }
-  requireMemoryForPicture(request.size);
+  requireMemoryForPicture(request.size * options.lens.samples);
   return request;
+}
+
+render::FrameComparison compare(const RenderOptions& options, const Request& request,
+                                render::View view, const render::Frame& frame) {
+  EffectLedger ledger(request.scene.effects);
+  view.effects = &ledger;
+  view.wantsNormals = true;
+  view.wantsLabels = view.wantsRadiance = false;
+  view.samplesPerSide = 1;
+  const auto reference = render::makeTechnique(
+      {.technique = options.compare, .variant = "automatic", .grid = request.choice.grid});
+  return render::compareFrames(view.camera, frame, reference->draw(view));
 }
 
 Drawn draw(const RenderOptions& options, const Request& request) {
@@ -107,19 +130,20 @@ Drawn draw(const RenderOptions& options, const Request& request) {
   SceneView sceneView(request.scene);
   EffectLedger ledger(request.scene.effects);
   render::View view = sceneView.view(simulation, request.camera, request.size, ledger);
-  view.wantsNormals = !options.normals.empty();
+  askFor(request.files, view);
+  view.wantsLabels = view.wantsLabels || options.json;
+  view.samplesPerSide = options.lens.samples;
   Drawn drawn;
   if (options.stats) technique->drawInto(view, drawn.frame);  // sets up what stays
   const Stopwatch watch;
   technique->drawInto(view, drawn.frame);
   drawn.drawMs = watch.milliseconds();
-  if (!options.compare.empty()) {
-    view.wantsNormals = true;
-    const auto reference = render::makeTechnique(
-        {.technique = options.compare, .variant = "automatic", .grid = request.choice.grid});
-    drawn.comparison =
-        render::compareFrames(view.camera, drawn.frame, reference->draw(view));
-  }
+  const DescribedFrame described{request.scene,         sea.geodesy,    request.camera.name, view,
+                                 sceneView.instances(), drawn.frame, ledger};
+  if (options.json) drawn.description = frameJson(described);
+  write(request.files, described);
+  writePicture(options.out, drawn.frame.colour);
+  if (!options.compare.empty()) drawn.comparison = compare(options, request, view, drawn.frame);
   return drawn;
 }
 
@@ -132,6 +156,29 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--roll", options.roll_deg, "degrees, right side down, with --from");
   command.add_option("--fov", options.fieldOfView_deg, "vertical degrees, with --from (60)");
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the scene's)");
+  addLensOptions(command, options.lens);
+  addSamplesOption(command, options.lens.samples);
+}
+
+void addFileOptions(CLI::App& command, RenderOptions& options) {
+  command.add_option("--out", options.out, "PNG file to write")->required()->check(mustBeNamed);
+  command.add_option("--depth", options.depth, "EXR file of axial distances, m, +inf for sky")
+      ->check(mustBeNamed);
+  command.add_option("--normals", options.normals, "EXR file of unit normals, east north up")
+      ->check(mustBeNamed);
+  command
+      .add_option("--radiance", options.radiance,
+                  "EXR file of linear radiance, not tone-mapped; with Z where --depth names it too")
+      ->check(mustBeNamed);
+  command
+      .add_option("--labels", options.labels,
+                  "PNG file of what pixels show: sky 0, water 1, foam 2, ground 3, object 4, from 16 "
+                  "on one vessel each (--frame-json names them)")
+      ->check(mustBeNamed);
+  command
+      .add_option("--frame-json", options.frameJson,
+                  "JSON file of time, camera, vessels' poses and boxes, labels, effects on")
+      ->check(mustBeNamed);
 }
 
 }  // namespace
@@ -139,9 +186,6 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
 int runRender(const RenderOptions& options, std::ostream& out) {
   const Request request = requestFrom(options);
   const Drawn drawn = draw(options, request);
-  if (!options.depth.empty()) writeDepth(options.depth, drawn.frame);
-  if (!options.normals.empty()) writeNormals(options.normals, drawn.frame);
-  writePicture(options.out, drawn.frame.colour);
   report(options, request.camera, drawn, out);
   return 0;
 }
@@ -152,11 +196,7 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("SCENE", options->scene, "scene file")->required();
   command->add_option("--time", options->time, "seconds since the scene's epoch, >= 0")->required();
   addCameraOptions(*command, *options);
-  command->add_option("--out", options->out, "PNG file to write")->required()->check(mustBeNamed);
-  command->add_option("--depth", options->depth, "EXR file of axial distances, m, +inf for sky")
-      ->check(mustBeNamed);
-  command->add_option("--normals", options->normals, "EXR file of unit normals, east north up")
-      ->check(mustBeNamed);
+  addFileOptions(*command, *options);
   command->add_option("--technique", options->technique,
                       "projected_grid (default), radial_grid, post_process, naive_grid or reference");
   command->add_option("--variant", options->variant,
@@ -167,7 +207,7 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
                       "reference: say how far the picture is from a ray-cast of the same sea");
   addBackendOption(*command, options->backend);
   command->add_flag("--stats", options->stats, "draw twice, time the second frame; as --json");
-  command->add_flag("--json", options->json, "machine-readable");
+  command->add_flag("--json", options->json, "machine-readable, with the frame's description");
   command->footer(
       "Example:\n  seaway render configs/scenes/canaveral.yaml --time 5 --camera chase --out "
       "launch.png\n  seaway render configs/scenes/storm.yaml --time 3 --from 61.2,2.3,12 --yaw 300 "

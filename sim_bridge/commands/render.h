@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim_bridge/commands/command.h"
+#include "sim_bridge/commands/lens_options.h"
 
 namespace seaway::bridge {
 
@@ -16,7 +17,10 @@ struct RenderOptions {
   std::optional<double> yaw_deg, pitch_deg, roll_deg, fieldOfView_deg;  ///< of such a camera
   std::string size;                 ///< WxH; empty: the scene's
   std::string out;                  ///< PNG file
-  std::string depth, normals;       ///< EXR files; empty: none
+  std::string depth, normals, radiance;  ///< EXR files; empty: none
+  std::string labels;                    ///< PNG file; empty: none
+  std::string frameJson;                 ///< JSON file; empty: none
+  LensOptions lens;
   std::string technique = "projected_grid";
   std::string variant = "automatic";
   std::string grid;                ///< COLUMNSxROWS; empty: the scene's

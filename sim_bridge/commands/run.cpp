@@ -8,9 +8,11 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <optional>
 
 #include "render/headless_context.h"
 #include "render/technique_choice.h"
+#include "sim_bridge/commands/lens_options.h"
 #include "sim_bridge/commands/options.h"
 #include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/commands/run_output.h"
@@ -21,6 +23,7 @@
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
 #include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/output/video_file.h"
 #include "sim_bridge/scene_view.h"
 #include "surface/input_error.h"
 
@@ -48,34 +51,50 @@ Scene sceneFor(const RunOptions& options) {
 /// Draws what a scene's cameras see. Without cameras or frames no context is made.
 class Cameras {
  public:
-  Cameras(const Scene& scene, const std::string& backend, const RunFolder& folder,
+  Cameras(const Scene& scene, const RunOptions& options, const RunFolder& folder,
           RunSummary& summary)
-      : scene_(scene), folder_(folder), summary_(summary), view_(scene) {
+      : scene_(scene), options_(options), folder_(folder), summary_(summary), view_(scene) {
     if (scene.cameras.empty() || scene.run.framesPerSecond == 0.0) return;
-    technique_ = render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
+    technique_ = render::makeTechnique({.grid = scene.accuracy.grid, .backend = options.backend});
+    if (!options.video.empty()) {
+      video_.emplace(options.video, scene.run.size, scene.run.framesPerSecond);
+    }
   }
 
   void draw(const Simulation& moment, long long index) {
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
+      const SceneCamera& camera = scene_.cameras[i];
       EffectLedger ledger(scene_.effects);
+      const FrameFiles files = folder_.files(i, index);
       const Stopwatch drawing;
-      render::Frame frame =
-          technique_->draw(view_.view(moment, scene_.cameras[i], scene_.run.size, ledger));
+      render::View view = view_.view(moment, camera, scene_.run.size, ledger);
+      askFor(files, view);
+      view.samplesPerSide = options_.samples;
+      render::Frame frame = technique_->draw(view);
       summary_.timingsMs["draw"] += drawing.milliseconds();
       for (const auto& [pass, ms] : frame.stats.passesMs) summary_.passesMs[pass] += ms;
       const Stopwatch writing;
+      write(files, {scene_, moment.sea().geodesy, camera.name, view, view_.instances(), frame,
+                    ledger});
       writePicture(folder_.frame(i, index), frame.colour);
+      if (video_ && i == 0) video_->write(frame.colour);
       summary_.timingsMs["write"] += writing.milliseconds();
       summary_.lastFrame = std::move(frame.stats);
     }
   }
 
+  void finish() {
+    if (video_) video_->commit();
+  }
+
  private:
   const Scene& scene_;
+  const RunOptions& options_;
   const RunFolder& folder_;
   RunSummary& summary_;
   SceneView view_;
   std::unique_ptr<render::RenderTechnique> technique_;
+  std::optional<VideoFile> video_;
 };
 
 /// Frames of each camera: at 0, 1/fps, … before the end.
@@ -177,7 +196,7 @@ void sailAndDraw(const Scene& scene, const RunOptions& options, const Sea& sea,
   Simulation simulation = begun(scene, sea, from);
   if (!from) telemetry.write(simulation);
   Checkpoints checkpoints(options, scene, simulation.time());
-  Cameras cameras(scene, backend, folder, summary);
+  Cameras cameras(scene, options, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
   for (long long frame = from ? from->frames : 0; frame < frames; ++frame) {
@@ -191,6 +210,7 @@ void sailAndDraw(const Scene& scene, const RunOptions& options, const Sea& sea,
        [&] { checkpoints.stepped(simulation, frames); });
   checkpoints.finish(simulation, frames);
   telemetry.commit();
+  cameras.finish();
   summary.frames = frames;
   summary.achieved = achievedBy(simulation, backend, summary);
 }
@@ -228,21 +248,39 @@ void requireCheckpointOptions(const RunOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// Whether what is asked for can be drawn and written, before any work.
+void requireOutputs(const RunOptions& options, const Scene& scene, long long frames) {
+  for (const std::string& word : options.also) frameFileKind(word);
+  for (SceneCamera camera : scene.cameras) {
+    applyLens({.intrinsics = "", .distortion = "", .samples = options.samples}, scene.run.size,
+              camera);
+  }
+  if (frames > 0) requireMemoryForPicture(scene.run.size * options.samples);
+  if (options.video.empty()) return;
+  if (frames == 0) throw InputError("--video: the run draws no frames");
+  requireVideo(options.video);
+}
+
+}  // namespace
+
 int runRun(const RunOptions& options, std::ostream& out) {
   render::requireBackend(options.backend);
   const Scene scene = sceneFor(options);
   const long long frames = frameCount(scene);
-  if (frames > 0) requireMemoryForPicture(scene.run.size);
   requireCheckpointOptions(options);
+  requireOutputs(options, scene, frames);
   const Stopwatch watch;
   RunSummary summary;
   std::optional<Checkpoint> from;
   if (!options.resume.empty()) from = readCheckpoint(options.resume, scene);
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
-                         scene, frames);
+                         scene, frames, options.also);
   const Sea sea = buildSea(scene);
   if (from) summary.resumedFrom = from->time;
   summary.timingsMs["sea"] = watch.milliseconds();
+  summary.also = options.also;
   summary.hm0Asked = sea.hm0Asked;
   summary.blocked = sea.blocked;
   sailAndDraw(scene, options, sea, from, folder, summary);
@@ -281,6 +319,15 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: the scene's)");
   command->add_option("--seed", options->seed, "seed of the sea (default: the scene's)")
       ->check(fitsInteger);
+  command
+      ->add_option("--also", options->also,
+                   "what else to write of each frame, beside NNNNNN.png: json, labels, depth, "
+                   "normals, radiance; several with commas")
+      ->delimiter(',');
+  command->add_option("--video", options->video,
+                      "MP4 file of the first camera's frames; the program ffmpeg makes it")
+      ->check(mustBeNamed);
+  addSamplesOption(*command, options->samples);
   addBackendOption(*command, options->backend);
   command
       ->add_option("--checkpoint", options->checkpoint,
@@ -294,7 +341,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->check(mustBeNamed);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
-      "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20");
+      "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20\n  seaway run "
+      "configs/scenes/canaveral.yaml --out out/set --also json,labels,depth --video out/set.mp4");
   command->callback([=, &chosen] { chosen = [=] { return runRun(*options, std::cout); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim_bridge/commands/command.h"
 
@@ -19,10 +20,16 @@ struct RunOptions {
   std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   std::string checkpoint, resume;         ///< files; empty: none
   std::optional<double> checkpointEvery;  ///< s
+  std::vector<std::string> also;   ///< words of frameFileKinds()
+  std::string video;               ///< MP4 file; empty: none
+  int samples = 1;                 ///< a pixel's side
   bool json = false;
 };
 
 /// `seaway run`: sails a scene and writes telemetry.csv, frames/NNNNNN.png and summary.json.
+///
+/// Beside NNNNNN.png stand the files that `also` names, NNNNNN.json and the like. `video` is of the
+/// first camera.
 ///
 /// The first camera's frames stand in `frames/`, those of each further camera in `frames/NAME/`.
 /// The output folder is checked before any work; files appear whole, summary.json last: a folder

@@ -25,7 +25,9 @@ fs::path framesFolder(const fs::path& folder, std::size_t camera, const std::str
   return camera == 0 ? folder / "frames" : folder / "frames" / name;
 }
 
-std::string frameName(long long index) { return fmt::format("{:06}.png", index); }
+std::string frameName(long long index, const std::string& suffix) {
+  return fmt::format("{:06}{}", index, suffix);
+}
 
 // A list is a file that anyone may have written: only plain names are followed.
 bool isPlainName(const std::string& name) {
@@ -43,6 +45,7 @@ bool isTelemetry(const std::string& name) {
 struct EarlierRun {
   std::vector<std::string> telemetry, cameras;
   long long frames = 0;
+  std::vector<std::string> also;
 };
 
 /// What a list says; nothing where it is not there or is no list of a run.
@@ -50,20 +53,36 @@ std::optional<EarlierRun> readList(const fs::path& file) {
   std::ifstream stream(file);
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   try {
-    return EarlierRun{json.at("telemetry"), json.at("cameras"), json.at("frames")};
+    return EarlierRun{json.at("telemetry"), json.at("cameras"), json.at("frames"),
+                      json.value("also", std::vector<std::string>{})};
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }
 
-void removeFrames(const fs::path& folder, long long count) {
+/// What names of a run's frames end in.
+std::vector<std::string> suffixesOf(const std::vector<std::string>& also) {
+  std::vector<std::string> suffixes{".png"};
+  for (const FrameFileKind& kind : frameFileKinds()) {
+    if (std::find(also.begin(), also.end(), kind.word) != also.end()) {
+      suffixes.push_back(kind.suffix);
+    }
+  }
+  return suffixes;
+}
+
+void removeFrames(const fs::path& folder, long long count, const std::vector<std::string>& also) {
   std::error_code ignored;
+  const std::vector<std::string> suffixes = suffixesOf(also);
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const std::string stem = entry.path().stem().string();
     long long index = -1;
     std::from_chars(stem.data(), stem.data() + stem.size(), index);
-    const bool listed = index >= 0 && index < count && entry.path().filename() == frameName(index);
+    const bool listed = index >= 0 && index < count &&
+                        std::any_of(suffixes.begin(), suffixes.end(), [&](const auto& suffix) {
+                          return entry.path().filename() == frameName(index, suffix);
+                        });
     if (listed && entry.is_regular_file(ignored)) files.push_back(entry.path());
   }
   for (const fs::path& file : files) fs::remove(file);
@@ -79,7 +98,7 @@ void removeEarlierRun(const fs::path& folder, const fs::path& list) {
     for (std::size_t i = earlier->cameras.size(); i-- > 0;) {
       if (!isPlainName(earlier->cameras[i])) continue;
       const fs::path frames = framesFolder(folder, i, earlier->cameras[i]);
-      removeFrames(frames, earlier->frames);
+      removeFrames(frames, earlier->frames, earlier->also);
       std::error_code notEmpty;
       fs::remove(frames, notEmpty);
     }
@@ -87,10 +106,14 @@ void removeEarlierRun(const fs::path& folder, const fs::path& list) {
   fs::remove(list);
 }
 
-nlohmann::ordered_json filesOf(const Scene& scene, long long frames) {
+nlohmann::ordered_json filesOf(const Scene& scene, long long frames,
+                               const std::vector<std::string>& also) {
   nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
   for (const SceneCamera& camera : scene.cameras) cameras.push_back(camera.name);
-  return {{"telemetry", telemetryFiles(scene)}, {"cameras", cameras}, {"frames", frames}};
+  nlohmann::ordered_json files{
+      {"telemetry", telemetryFiles(scene)}, {"cameras", cameras}, {"frames", frames}};
+  if (!also.empty()) files["also"] = also;
+  return files;
 }
 
 std::size_t peakMemory() {
@@ -119,8 +142,9 @@ double StepTimes::percentile(double share) const {
   return 0.0;
 }
 
-RunFolder::RunFolder(fs::path folder, const Scene& scene, long long frames)
-    : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, const Scene& scene, long long frames,
+                     std::vector<std::string> also)
+    : folder_(std::move(folder)), also_(std::move(also)) {
   for (const SceneCamera& camera : scene.cameras) cameras_.push_back(camera.name);
   requireWritableFolder(folder_);
   requireWritableFile(summary());
@@ -130,7 +154,7 @@ RunFolder::RunFolder(fs::path folder, const Scene& scene, long long frames)
     for (std::size_t i = 0; i < cameras_.size(); ++i) requireWritableFolder(this->frames(i));
   }
   AtomicFile list(unfinished());
-  list.stream() << filesOf(scene, frames).dump() << '\n';
+  list.stream() << filesOf(scene, frames, also_).dump() << '\n';
   list.commit();
 }
 
@@ -139,7 +163,16 @@ fs::path RunFolder::frames(std::size_t camera) const {
 }
 
 fs::path RunFolder::frame(std::size_t camera, long long index) const {
-  return frames(camera) / frameName(index);
+  return frames(camera) / frameName(index, ".png");
+}
+
+FrameFiles RunFolder::files(std::size_t camera, long long index) const {
+  FrameFiles files;
+  for (const std::string& word : also_) {
+    const FrameFileKind& kind = frameFileKind(word);
+    files.*kind.path = frames(camera) / frameName(index, kind.suffix);
+  }
+  return files;
 }
 
 void RunFolder::finish(const std::string& text) const {
@@ -161,7 +194,7 @@ std::string RunSummary::json(const Scene& scene) const {
                                  {"steps", steps},
                                  {"fps", scene.run.framesPerSecond},
                                  {"size", {scene.run.size.x, scene.run.size.y}}};
-  summary.update(filesOf(scene, frames));
+  summary.update(filesOf(scene, frames, also));
   summary.update({{"technique", lastFrame.technique},
                   {"backend", lastFrame.backend},
                   {"renderer", lastFrame.renderer},

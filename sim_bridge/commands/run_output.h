@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/frame.h"
+#include "sim_bridge/output/frame_files.h"
 #include "sim_bridge/scene/scene.h"
 #include "surface/field/blocked_octaves.h"
 
@@ -17,7 +18,7 @@ namespace seaway::bridge {
 /// Where the files of one `seaway run` go.
 ///
 /// `summary.json` lists what a run wrote: `telemetry` by name, and of each of `cameras` as many
-/// `frames`, numbered from 0. Until it is there the same list stands in
+/// `frames`, numbered from 0, each with the kinds of files in `also`. Until it is there the same list stands in
 /// `summary.json.unfinished`, so that a run that was cut off is cleared away as well.
 class RunFolder {
  public:
@@ -25,10 +26,15 @@ class RunFolder {
   /// summary that an earlier run left there and exactly the files that it lists, with folders of
   /// cameras that this empties; and leaves the list of the files that are to come: `frames` of each
   /// camera.
-  RunFolder(std::filesystem::path folder, const Scene& scene, long long frames);
+  RunFolder(std::filesystem::path folder, const Scene& scene, long long frames,
+            std::vector<std::string> also = {});
 
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path frame(std::size_t camera, long long index) const;
+
+  /// What else is written of that frame: a file for each word of `also` (frameFileKinds).
+  FrameFiles files(std::size_t camera, long long index) const;
+  const std::vector<std::string>& also() const { return also_; }
 
   /// Makes the summary appear: the run is whole.
   void finish(const std::string& summary) const;
@@ -39,7 +45,7 @@ class RunFolder {
   std::filesystem::path frames(std::size_t camera) const;
 
   std::filesystem::path folder_;
-  std::vector<std::string> cameras_;
+  std::vector<std::string> cameras_, also_;
 };
 
 /// How long steps took, counted in classes 2 % wide: of a fixed size for any number of steps.
@@ -68,6 +74,7 @@ struct RunSummary {
   StepTimes stepTimes;
   std::optional<double> resumedFrom;    ///< time of the checkpoint, s
   Performance achieved;  ///< what of the scene's `tuned` was measured
+  std::vector<std::string> also;  ///< what else was written of each frame
 
   std::string json(const Scene& scene) const;
 };

@@ -1,5 +1,7 @@
 #include "sim_bridge/report/html_page.h"
 
+#include <absl/strings/escaping.h>
+
 namespace seaway::bridge {
 
 std::string htmlEscaped(const std::string& text) {
@@ -33,7 +35,7 @@ constexpr const char* style =
     "table{border-collapse:collapse;margin:1rem 0}"
     "th,td{padding:.25rem .9rem;border-bottom:1px solid #ddd;text-align:right}"
     "th:first-child,td:first-child{text-align:left}"
-    "figure{margin:1.5rem 0}figure svg{max-width:100%;height:auto}"
+    "figure{margin:1.5rem 0}figure svg,figure img{max-width:100%;height:auto}pre{overflow:auto;background:#f4f4f4;padding:.5rem}"
     "figcaption{color:#555;font-size:.9rem}h1{font-size:1.6rem}h2{font-size:1.2rem}";
 
 std::string row(const std::vector<std::string>& cells, const std::string& tag) {
@@ -63,6 +65,15 @@ void HtmlPage::table(const std::vector<std::string>& header,
 
 void HtmlPage::figure(const std::string& svg, const std::string& caption) {
   body_ += "<figure>" + svg + "<figcaption>" + htmlEscaped(caption) + "</figcaption></figure>\n";
+}
+
+void HtmlPage::picture(const std::string& png, const std::string& caption) {
+  body_ += "<figure><img alt=\"\" src=\"data:image/png;base64," + absl::Base64Escape(png) +
+           "\"><figcaption>" + htmlEscaped(caption) + "</figcaption></figure>\n";
+}
+
+void HtmlPage::code(const std::string& text) {
+  body_ += "<pre>" + htmlEscaped(text) + "</pre>\n";
 }
 
 }  // namespace seaway::bridge
