@@ -50,6 +50,7 @@ render::SceneObject placedScenery(const SceneryObject& object, const render::Mes
       {point.position, object.place.height},
       render::attitude(towardFromCompassToward(object.heading_deg) + point.convergence,
                        radiansFromDegrees(object.pitch_deg), radiansFromDegrees(object.roll_deg)),
+      0,
       render::ObjectKind::scenery};
   if (object.floats) floatOn(water, time, placed);
   return placed;
