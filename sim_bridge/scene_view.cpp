@@ -53,7 +53,7 @@ void SceneView::addScenery(const SceneMoment& moment) {
   for (std::size_t i = 0; i < scenery_.size(); ++i) {
     objects_.push_back(placedScenery(scene_->scenery[i], scenery_[i], *moment.geodesy,
                                      *moment.water, moment.time));
-    objects_.back().instance = static_cast<std::uint16_t>(scene_->vessels.size() + 1 + i);
+    objects_.back().instance = static_cast<std::uint16_t>(scene_->vessels.size() + i + 1);
     instances_.push_back({scene_->scenery[i].name, "scenery", nullptr});
   }
 }

@@ -29,7 +29,10 @@ std::vector<float> rowOfUnderside(const Stage& stage, bool smooth) {
   lighting.sunIsOn = lighting.waterIsOn = lighting.cameraIsUnderWater = true;
   lighting.sunDirection = sunDirectionOf(view);
   ShadingConstants constants = shadingConstants(view, lighting);
-  if (smooth) constants.hairSlope = 0.0f;
+  if (smooth) {
+    constants.hairSlope = 0.0f;
+    constants.ripplesAreOn = false;
+  }
   PixelSpan span;
   span.count = pixelsPerSpan;
   span.rayStep = constants.right * (2.0f / stage.camera.size.x);
