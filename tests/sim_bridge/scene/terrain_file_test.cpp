@@ -232,7 +232,7 @@ TEST(TerrainFile, FaultsNameFileLineKeyAndWhatIsAllowed) {
          "colour.png: is not a plain grey PNG");
   expect("file: text.tif", "text.tif: is neither a PNG nor a readable GeoTIFF");
   expect("file: far.tif", "far.tif: does not cover the scene's anchor: it begins 143 km from it");
-  expect("file: high.tif", "high.tif: the height in column 3 of row 2 is 1000000 m; must be in");
+  expect("file: high.tif", "high.tif: the height in column 3 of row 2 is 1e+06 m; must be in");
   expect("file: empty.tif", "empty.tif: has no heights: all of it is no data");
   expect("file: map.tif, colour: {sand: [2, 0, 0]}", "key 'terrain.colour.sand");
 }
