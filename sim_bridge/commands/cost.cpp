@@ -102,6 +102,11 @@ int runCost(const CostOptions& options, std::ostream& out) {
         studies.push_back(std::move(study));
       }
     }
+    if (!scene.cameras.empty()) {
+      for (Study& study : studyTerrain(scene, sea, studyOptions)) {
+        studies.push_back(std::move(study));
+      }
+    }
     progress.update(7);
     for (Study& study : studyWakes(scene, studyOptions)) studies.push_back(std::move(study));
     progress.update(8);

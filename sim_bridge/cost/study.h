@@ -84,6 +84,10 @@ Study studyVertexEfficiency(const Sea& sea, const StudyOptions& options);
 /// a frozen sea changes a frame (px rms) as the camera moves ahead, and as it turns.
 std::vector<Study> studySwimming(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
+/// By the tolerance of a terrain's levels of detail: height of drawn ground off the map's (px rms)
+/// against ms to select and raster it, over all the scene's cameras. None without terrain.
+std::vector<Study> studyTerrain(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
 /// Three studies of the wake of the scene's first vessel under way, by cell size, step and window:
 /// rms error in % of the wake's height around the vessel against us of work in 0.1 s. None where no
 /// vessel is under way.
