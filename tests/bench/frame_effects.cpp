@@ -14,7 +14,7 @@
 /// What each effect costs a frame, by technique: milliseconds that a frame takes longer with it
 /// than with it switched off.
 ///
-///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [SCENE:CAMERA:TIME ...]
+///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [--column software] [SCENE:CAMERA:TIME ...]
 ///
 /// Two techniques of each kind draw by turns, one with all that the scene calls for, one without
 /// the effect; the table has the medians of their frames' difference, and of whole frames. A
@@ -29,6 +29,7 @@ struct Options {
   std::string backend = "osmesa";
   glm::ivec2 size{1280, 720};
   int repeats = 9;
+  std::string column;  // this one alone; empty: all
   std::vector<std::string> views;
 };
 
@@ -156,7 +157,10 @@ void run(const Options& options) {
     std::getline(parts, camera, ':');
     std::getline(parts, time);
     Stage stage(path, camera, std::atof(time.c_str()));
-    const std::vector<Column> columns = columnsFor(options.backend, stage.scene.accuracy.grid);
+    std::vector<Column> columns = columnsFor(options.backend, stage.scene.accuracy.grid);
+    if (!options.column.empty()) {
+      std::erase_if(columns, [&](const Column& c) { return c.name != options.column; });
+    }
     std::vector<Costs> costs;
     for (const Column& column : columns) costs.push_back(measure(stage, column, options));
     printTable(text + ", " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y),
@@ -176,6 +180,8 @@ int main(int argc, char** argv) {
       options.backend = argv[++i];
     } else if (hasValue && word == "--repeats") {
       options.repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (hasValue && word == "--column") {
+      options.column = argv[++i];
     } else if (hasValue && word == "--size") {
       if (std::sscanf(argv[++i], "%dx%d", &options.size.x, &options.size.y) != 2) return 2;
     } else {
