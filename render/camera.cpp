@@ -25,8 +25,8 @@ glm::dmat4 Camera::eyeFromRelativeWorld() const {
 Intrinsics scaled(const Intrinsics& intrinsics, glm::ivec2 from, glm::ivec2 to) {
   const glm::dvec2 scale = glm::dvec2(to) / glm::dvec2(from);
   // Pixels' edges, not their centres, stay where they are.
-  return {intrinsics.fx * scale.x, intrinsics.fy * scale.y,
-          (intrinsics.cx + 0.5) * scale.x - 0.5, (intrinsics.cy + 0.5) * scale.y - 0.5};
+  return {intrinsics.fx * scale.x, intrinsics.fy * scale.y, (intrinsics.cx + 0.5) * scale.x - 0.5,
+          (intrinsics.cy + 0.5) * scale.y - 0.5};
 }
 
 Intrinsics Camera::pinhole() const {
@@ -70,8 +70,8 @@ glm::dmat4 Camera::clipFromEye() const {
     return glm::perspectiveNO(verticalFieldOfView, aspectRatio(), nearDistance, farDistance);
   }
   const glm::dvec2 half = nearDistance * halfPicture(), middle = nearDistance * pictureMiddle();
-  return glm::frustumNO(middle.x - half.x, middle.x + half.x, middle.y - half.y,
-                        middle.y + half.y, nearDistance, farDistance);
+  return glm::frustumNO(middle.x - half.x, middle.x + half.x, middle.y - half.y, middle.y + half.y,
+                        nearDistance, farDistance);
 }
 
 glm::dvec3 Camera::rayThrough(glm::dvec2 pixel) const {

@@ -9,17 +9,18 @@
 namespace seaway::render {
 
 /// Where a pinhole camera's picture lies before it, in pixels, by OpenCV's convention: a place x to
-/// the right, y downwards and 1 along the view axis from the camera is seen at (fx x + cx, fy y + cy).
-/// Whole numbers are the centres of pixels, (0, 0) that of the top left one.
+/// the right, y downwards and 1 along the view axis from the camera is seen at (fx x + cx, fy y +
+/// cy). Whole numbers are the centres of pixels, (0, 0) that of the top left one.
 struct Intrinsics {
-  double fx = 0.0, fy = 0.0;  ///< focal lengths, (0, 1e7]; pixels that are not square differ in them
+  double fx = 0.0,
+         fy = 0.0;  ///< focal lengths, (0, 1e7]; pixels that are not square differ in them
   double cx = 0.0, cy = 0.0;  ///< principal point, anywhere
 };
 
-/// Brown and Conrady's lens distortion by OpenCV's convention (Brown 1966, "Decentering distortion of
-/// lenses"): with x and y as in Intrinsics and r² = x² + y², what would be seen at (x, y) without it
-/// is seen at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2 x²),
-/// y (1 + k1 r² + k2 r⁴ + k3 r⁶) + p1 (r² + 2 y²) + 2 p2 x y.
+/// Brown and Conrady's lens distortion by OpenCV's convention (Brown 1966, "Decentering distortion
+/// of lenses"): with x and y as in Intrinsics and r² = x² + y², what would be seen at (x, y)
+/// without it is seen at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2 x²), y (1 + k1 r² +
+/// k2 r⁴ + k3 r⁶) + p1 (r² + 2 y²) + 2 p2 x y.
 struct Distortion {
   double k1 = 0.0, k2 = 0.0, k3 = 0.0, p1 = 0.0, p2 = 0.0;
 
@@ -43,8 +44,8 @@ struct Camera {
   double farDistance = 50e3;  ///< m, > nearDistance; only `clipFromEye` and culling of objects use
                               ///< it: the sea is drawn to its horizon
   std::optional<Intrinsics> intrinsics;  ///< of a picture of `size`, in place of the field of view
-  /// Of its lens. Techniques draw pinholes alone: those of makeTechnique() bend their pictures, others
-  /// refuse it.
+  /// Of its lens. Techniques draw pinholes alone: those of makeTechnique() bend their pictures,
+  /// others refuse it.
   std::optional<Distortion> distortion;
 
   double aspectRatio() const { return static_cast<double>(size.x) / size.y; }

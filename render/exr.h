@@ -10,8 +10,8 @@ namespace seaway::render {
 /// Writes images of floats, row by row from the top left, as OpenEXR files. Throws
 /// std::runtime_error where that fails; what was written by then stays.
 
-/// Linear radiance as 16-bit floats, channels R, G and B; beside them Z as 32-bit floats unless `metres`
-/// is null.
+/// Linear radiance as 16-bit floats, channels R, G and B; beside them Z as 32-bit floats unless
+/// `metres` is null.
 void writeRadianceExr(const std::filesystem::path& path, glm::ivec2 size,
                       const std::vector<glm::vec3>& radiance, const std::vector<float>* metres);
 

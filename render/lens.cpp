@@ -19,8 +19,8 @@ bool sameLens(const Camera& a, const Camera& b) {
   const auto fields = [](const Camera& c) {
     const Intrinsics i = c.pinhole();
     const Distortion d = c.distortion.value_or(Distortion{});
-    return std::array{double(c.size.x), double(c.size.y), i.fx, i.fy, i.cx, i.cy,
-                      d.k1, d.k2, d.k3, d.p1, d.p2};
+    return std::array{
+        double(c.size.x), double(c.size.y), i.fx, i.fy, i.cx, i.cy, d.k1, d.k2, d.k3, d.p1, d.p2};
   };
   return fields(a) == fields(b);
 }
@@ -112,9 +112,12 @@ void LensTechnique::drawBent(const View& view, Frame& frame) {
   const auto begin = std::chrono::steady_clock::now();
   prepare(frame, camera.size, view.contents());
   frame.stats = large_.stats;
-  colour(view, [&](int x, int y) {
-    return between(large_, map.places[static_cast<std::size_t>(y) * map.size.x + x]);
-  }, frame);
+  colour(
+      view,
+      [&](int x, int y) {
+        return between(large_, map.places[static_cast<std::size_t>(y) * map.size.x + x]);
+      },
+      frame);
   const int n = view.samplesPerSide;
   for (int y = 0; y < camera.size.y; ++y) {
     for (int x = 0; x < camera.size.x; ++x) {
@@ -151,9 +154,12 @@ void LensTechnique::drawOften(const View& view, Frame& frame) {
   technique_->drawInto(often, large_);
   const auto begin = std::chrono::steady_clock::now();
   frame.stats = large_.stats;
-  colour(view, [&](int x, int y) {
-    return large_.radiance[static_cast<std::size_t>(y) * large_.colour.size.x + x];
-  }, frame);
+  colour(
+      view,
+      [&](int x, int y) {
+        return large_.radiance[static_cast<std::size_t>(y) * large_.colour.size.x + x];
+      },
+      frame);
   frame.stats.passesMs.emplace_back(
       "lens",
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());

@@ -29,14 +29,14 @@ glm::dmat2 derivatives(const Distortion& d, glm::dvec2 p) {
           radial + slope * p.y * p.y + 6.0 * d.p1 * p.y + 2.0 * d.p2 * p.x};
 }
 
-/// The derivatives are symmetric: neither turned over nor folded where both of their eigenvalues are
-/// above 0.
+/// The derivatives are symmetric: neither turned over nor folded where both of their eigenvalues
+/// are above 0.
 bool keepsSense(const glm::dmat2& m) {
   return glm::determinant(m) > 0.0 && m[0][0] + m[1][1] > 0.0;
 }
 
-/// Newton's method from a place near by, its steps halved where they overshoot; false where it leaves
-/// the sheet.
+/// Newton's method from a place near by, its steps halved where they overshoot; false where it
+/// leaves the sheet.
 bool refine(const Distortion& d, glm::dvec2 seen, glm::dvec2& place) {
   const double enough = 1e-15 * (1.0 + glm::length(seen));
   glm::dvec2 off = distorted(d, place) - seen;
@@ -150,7 +150,8 @@ LensMap lensMap(const Camera& camera, int samplesPerSide) {
   map.wide = camera;
   map.wide.distortion.reset();
   const glm::dvec2 pixel = samples.step / largestScale(distortion, places);
-  // A pixel more on each side: the places at the rim are read between pixels, and edges are smoothed.
+  // A pixel more on each side: the places at the rim are read between pixels, and edges are
+  // smoothed.
   const glm::dvec2 sides = glm::ceil((most - least) / pixel) + 5.0;
   if (!(sides.x * sides.y <= static_cast<double>(mostLensPixels)) ||
       std::max(sides.x, sides.y) > 32768.0) {
@@ -161,8 +162,8 @@ LensMap lensMap(const Camera& camera, int samplesPerSide) {
     throw InputError(message.str());
   }
   map.wide.size = glm::ivec2(sides);
-  map.wide.intrinsics = Intrinsics{1.0 / pixel.x, 1.0 / pixel.y, 2.0 - least.x / pixel.x,
-                                   2.0 - least.y / pixel.y};
+  map.wide.intrinsics =
+      Intrinsics{1.0 / pixel.x, 1.0 / pixel.y, 2.0 - least.x / pixel.x, 2.0 - least.y / pixel.y};
   validate(map.wide);
   map.places.reserve(places.size());
   for (const glm::dvec2& place : places) {
@@ -181,8 +182,8 @@ void validateSamples(glm::ivec2 size, int samplesPerSide) {
   if (samplesPerSide > 1 && pixels > mostLensPixels) {
     throw InputError("samples: " + std::to_string(samplesPerSide) + " a side of " +
                      std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels are " +
-                     std::to_string(pixels) + " in all; at most " +
-                     std::to_string(mostLensPixels) + " are allowed");
+                     std::to_string(pixels) + " in all; at most " + std::to_string(mostLensPixels) +
+                     " are allowed");
   }
 }
 

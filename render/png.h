@@ -20,8 +20,8 @@ void writePng(const std::filesystem::path& path, const ColourImage& image);
 /// than its pixels.
 std::string pngBytes(const ColourImage& image);
 
-/// Writes numbers as a grey PNG, row by row from the top left, the same way: 16 bits a pixel, or 8 where
-/// none is above 255. Throws InputError where the file cannot be written.
+/// Writes numbers as a grey PNG, row by row from the top left, the same way: 16 bits a pixel, or 8
+/// where none is above 255. Throws InputError where the file cannot be written.
 void writeGreyPng(const std::filesystem::path& path, glm::ivec2 size,
                   const std::vector<std::uint16_t>& values);
 

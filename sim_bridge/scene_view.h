@@ -49,8 +49,8 @@ class SceneView {
   render::View view(const SceneMoment& moment, const SceneCamera& camera, glm::ivec2 size,
                     EffectLedger& ledger);
 
-  /// What the last view's objects are that have an instance: of a vessel its number in the scene, from
-  /// 1 on. Valid as long as that view.
+  /// What the last view's objects are that have an instance: of a vessel its number in the scene,
+  /// from 1 on. Valid as long as that view.
   const std::vector<SceneInstance>& instances() const { return instances_; }
 
  private:

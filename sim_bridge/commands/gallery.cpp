@@ -29,16 +29,15 @@ void addPicture(const Gallery& gallery, const GalleryPicture& picture, const Dra
   const render::FrameStats& stats = drawn.frame.stats;
   page.heading(picture.name);
   page.picture(render::pngBytes(drawn.frame.colour), picture.caption);
-  page.paragraph(fmt::format(
-      "{}, {}x{}, {} s. Drawn in {:.0f} ms by {}{}{} on {}.", drawn.seen, picture.size.x,
-      picture.size.y, picture.time, drawn.milliseconds, stats.technique,
-      stats.variant.empty() ? "" : "/", stats.variant, stats.renderer));
+  page.paragraph(fmt::format("{}, {}x{}, {} s. Drawn in {:.0f} ms by {}{}{} on {}.", drawn.seen,
+                             picture.size.x, picture.size.y, picture.time, drawn.milliseconds,
+                             stats.technique, stats.variant.empty() ? "" : "/", stats.variant,
+                             stats.renderer));
   std::vector<std::vector<std::string>> rows;
   for (const EffectReport& effect : drawn.effects) {
     rows.push_back({std::string(effectName(effect.effect)), memoryText(effect.memoryBytes),
-                    effect.costInside
-                        ? fmt::format("inside {}", effectName(*effect.costInside))
-                        : fmt::format("{:.2f} ms", 1e-3 * effect.costMicroseconds)});
+                    effect.costInside ? fmt::format("inside {}", effectName(*effect.costInside))
+                                      : fmt::format("{:.2f} ms", 1e-3 * effect.costMicroseconds)});
   }
   page.table({"effect", "memory", "a frame"}, rows);
   page.code(commandOf(gallery, picture));
@@ -67,8 +66,7 @@ void writeGolden(const Gallery& gallery, const GalleryOptions& options, Progress
   const std::filesystem::path folder(options.golden);
   std::vector<render::ColourImage> pictures;
   for (const GalleryPicture& picture : gallery.pictures) {
-    pictures.push_back(
-        drawPicture(gallery, picture, goldenSize, options.backend, 0).frame.colour);
+    pictures.push_back(drawPicture(gallery, picture, goldenSize, options.backend, 0).frame.colour);
     writePicture(folder / (picture.name + ".png"), pictures.back());
     progress.update(pictures.size());
   }
@@ -95,8 +93,7 @@ int runGallery(const GalleryOptions& options, std::ostream& out) {
   if (!options.golden.empty()) {
     Progress progress("golden", gallery.pictures.size());
     writeGolden(gallery, options, progress);
-    out << options.golden << ": " << gallery.pictures.size()
-        << " pictures and contact_sheet.png\n";
+    out << options.golden << ": " << gallery.pictures.size() << " pictures and contact_sheet.png\n";
   }
   return 0;
 }

@@ -53,8 +53,7 @@ void applyLens(const LensOptions& options, glm::ivec2 size, SceneCamera& camera)
   if (!options.distortion.empty()) {
     const auto n = numbersIn("--distortion", options.distortion,
                              "K1,K2,P1,P2 or K1,K2,P1,P2,K3, such as -0.3,0.1,0.001,0", 4, 5);
-    camera.distortion =
-        render::Distortion{n[0], n[1], n.size() > 4 ? n[4] : 0.0, n[2], n[3]};
+    camera.distortion = render::Distortion{n[0], n[1], n.size() > 4 ? n[4] : 0.0, n[2], n[3]};
   }
   render::validateSamples(size, options.samples);
   render::Camera seen;

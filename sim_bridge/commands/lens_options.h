@@ -23,8 +23,8 @@ void addLensOptions(CLI::App& command, LensOptions& options);
 /// Adds `--aa`.
 void addSamplesOption(CLI::App& command, int& samples);
 
-/// Puts what is given in place of the camera's own, and checks that pictures of `size` pixels can be
-/// drawn so. Throws InputError.
+/// Puts what is given in place of the camera's own, and checks that pictures of `size` pixels can
+/// be drawn so. Throws InputError.
 void applyLens(const LensOptions& options, glm::ivec2 size, SceneCamera& camera);
 
 }  // namespace seaway::bridge

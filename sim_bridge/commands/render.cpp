@@ -43,10 +43,9 @@ void report(const RenderOptions& options, const SceneCamera& camera, const Drawn
   const render::FrameStats& stats = drawn.frame.stats;
   const glm::ivec2 size = drawn.frame.colour.size;
   if (!options.json && !options.stats) {
-    out << options.out << ": camera '" << camera.name << "' at " << options.time << " s, "
-        << size.x << "x" << size.y << ", drawn in " << drawn.drawMs << " ms by "
-        << stats.technique << (stats.variant.empty() ? "" : "/" + stats.variant) << " on "
-        << stats.renderer << '\n';
+    out << options.out << ": camera '" << camera.name << "' at " << options.time << " s, " << size.x
+        << "x" << size.y << ", drawn in " << drawn.drawMs << " ms by " << stats.technique
+        << (stats.variant.empty() ? "" : "/" + stats.variant) << " on " << stats.renderer << '\n';
     if (drawn.comparison) out << asJson(*drawn.comparison).dump(2) << '\n';
     return;
   }
@@ -83,15 +82,15 @@ Request requestFrom(const RenderOptions& options) {
   render::requireBackend(options.backend);
   Request request{loadScene(options.scene), {}, {}, {}, {}};
   requireTime(options.time);
-  request.camera = options.from.empty() ? findCamera(request.scene, options.camera)
-                                        : freeCamera(options);
+  request.camera =
+      options.from.empty() ? findCamera(request.scene, options.camera) : freeCamera(options);
   if (options.from.empty()) refuseFreeCameraOptions(options);
   request.size = options.size.empty() ? request.scene.run.size : parseSize(options.size);
-  request.choice = {.technique = options.technique,
-                    .variant = options.variant,
-                    .grid = options.grid.empty() ? request.scene.accuracy.grid
-                                                 : parseGrid(options.grid),
-                    .backend = options.backend};
+  request.choice = {
+      .technique = options.technique,
+      .variant = options.variant,
+      .grid = options.grid.empty() ? request.scene.accuracy.grid : parseGrid(options.grid),
+      .backend = options.backend};
   if (!options.compare.empty() && options.compare != "reference") {
     throw InputError("--compare: '" + options.compare + "' is not allowed; must be: reference");
   }
@@ -138,8 +137,9 @@ Drawn draw(const RenderOptions& options, const Request& request) {
   const Stopwatch watch;
   technique->drawInto(view, drawn.frame);
   drawn.drawMs = watch.milliseconds();
-  const DescribedFrame described{request.scene,         sea.geodesy,    request.camera.name, view,
-                                 sceneView.instances(), drawn.frame, ledger};
+  const DescribedFrame described{request.scene, sea.geodesy,           request.camera.name,
+                                 view,          sceneView.instances(), drawn.frame,
+                                 ledger};
   if (options.json) drawn.description = frameJson(described);
   write(request.files, described);
   writePicture(options.out, drawn.frame.colour);
@@ -171,9 +171,10 @@ void addFileOptions(CLI::App& command, RenderOptions& options) {
                   "EXR file of linear radiance, not tone-mapped; with Z where --depth names it too")
       ->check(mustBeNamed);
   command
-      .add_option("--labels", options.labels,
-                  "PNG file of what pixels show: sky 0, water 1, foam 2, ground 3, object 4, from 16 "
-                  "on one vessel each (--frame-json names them)")
+      .add_option(
+          "--labels", options.labels,
+          "PNG file of what pixels show: sky 0, water 1, foam 2, ground 3, object 4, from 16 "
+          "on one vessel each (--frame-json names them)")
       ->check(mustBeNamed);
   command
       .add_option("--frame-json", options.frameJson,
@@ -197,8 +198,9 @@ void addRenderCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--time", options->time, "seconds since the scene's epoch, >= 0")->required();
   addCameraOptions(*command, *options);
   addFileOptions(*command, *options);
-  command->add_option("--technique", options->technique,
-                      "projected_grid (default), radial_grid, post_process, naive_grid or reference");
+  command->add_option(
+      "--technique", options->technique,
+      "projected_grid (default), radial_grid, post_process, naive_grid or reference");
   command->add_option("--variant", options->variant,
                       "of projected_grid: automatic, software, cpu_vertices, gpu, "
                       "cpu_vertices_gpu_normals or marched (default automatic: the fastest)");

@@ -15,11 +15,11 @@ struct RenderOptions {
   std::string camera;  ///< empty: the scene's first
   std::string from;    ///< LAT,LON,HEIGHT of a camera of one's own; empty: one of the scene's
   std::optional<double> yaw_deg, pitch_deg, roll_deg, fieldOfView_deg;  ///< of such a camera
-  std::string size;                 ///< WxH; empty: the scene's
-  std::string out;                  ///< PNG file
-  std::string depth, normals, radiance;  ///< EXR files; empty: none
-  std::string labels;                    ///< PNG file; empty: none
-  std::string frameJson;                 ///< JSON file; empty: none
+  std::string size;                                                     ///< WxH; empty: the scene's
+  std::string out;                                                      ///< PNG file
+  std::string depth, normals, radiance;                                 ///< EXR files; empty: none
+  std::string labels;                                                   ///< PNG file; empty: none
+  std::string frameJson;                                                ///< JSON file; empty: none
   LensOptions lens;
   std::string technique = "projected_grid";
   std::string variant = "automatic";

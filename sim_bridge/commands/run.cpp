@@ -22,8 +22,8 @@
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
-#include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/output/video_file.h"
+#include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
 #include "surface/input_error.h"
 
@@ -74,8 +74,8 @@ class Cameras {
       summary_.timingsMs["draw"] += drawing.milliseconds();
       for (const auto& [pass, ms] : frame.stats.passesMs) summary_.passesMs[pass] += ms;
       const Stopwatch writing;
-      write(files, {scene_, moment.sea().geodesy, camera.name, view, view_.instances(), frame,
-                    ledger});
+      write(files,
+            {scene_, moment.sea().geodesy, camera.name, view, view_.instances(), frame, ledger});
       writePicture(folder_.frame(i, index), frame.colour);
       if (video_ && i == 0) video_->write(frame.colour);
       summary_.timingsMs["write"] += writing.milliseconds();
@@ -324,8 +324,9 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
                    "what else to write of each frame, beside NNNNNN.png: json, labels, depth, "
                    "normals, radiance; several with commas")
       ->delimiter(',');
-  command->add_option("--video", options->video,
-                      "MP4 file of the first camera's frames; the program ffmpeg makes it")
+  command
+      ->add_option("--video", options->video,
+                   "MP4 file of the first camera's frames; the program ffmpeg makes it")
       ->check(mustBeNamed);
   addSamplesOption(*command, options->samples);
   addBackendOption(*command, options->backend);
@@ -341,7 +342,8 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->check(mustBeNamed);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(
-      "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20\n  seaway run "
+      "Example:\n  seaway run configs/scenes/canaveral.yaml --out out/canaveral --duration 20\n  "
+      "seaway run "
       "configs/scenes/canaveral.yaml --out out/set --also json,labels,depth --video out/set.mp4");
   command->callback([=, &chosen] { chosen = [=] { return runRun(*options, std::cout); }; });
 }

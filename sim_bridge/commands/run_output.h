@@ -18,8 +18,9 @@ namespace seaway::bridge {
 /// Where the files of one `seaway run` go.
 ///
 /// `summary.json` lists what a run wrote: `telemetry` by name, and of each of `cameras` as many
-/// `frames`, numbered from 0, each with the kinds of files in `also`. Until it is there the same list stands in
-/// `summary.json.unfinished`, so that a run that was cut off is cleared away as well.
+/// `frames`, numbered from 0, each with the kinds of files in `also`. Until it is there the same
+/// list stands in `summary.json.unfinished`, so that a run that was cut off is cleared away as
+/// well.
 class RunFolder {
  public:
   /// Makes the folders and throws InputError unless they can be written to; then removes the

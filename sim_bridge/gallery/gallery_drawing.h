@@ -14,12 +14,12 @@ struct DrawnPicture {
   render::Frame frame;
   double milliseconds = 0.0;          ///< of a frame, median of `repeats` after a first one
   std::vector<EffectReport> effects;  ///< those on in the last of them
-  std::string seen;                   ///< "camera 'chase', 45° high, at 28.878°, -78.467°, 6.5 m"
+  std::string seen;  ///< "camera 'chase', 45° high, at 28.878°, -78.467°, 6.5 m"
 };
 
-/// Draws a picture at `size`; `repeats` ≥ 0 times more after the first, which sets up what stays. The
-/// bits of the picture are those of any machine with the same vector instructions. Throws InputError
-/// for what the scene or the picture gets wrong.
+/// Draws a picture at `size`; `repeats` ≥ 0 times more after the first, which sets up what stays.
+/// The bits of the picture are those of any machine with the same vector instructions. Throws
+/// InputError for what the scene or the picture gets wrong.
 DrawnPicture drawPicture(const Gallery& gallery, const GalleryPicture& picture, glm::ivec2 size,
                          const std::string& backend, int repeats);
 

@@ -69,11 +69,10 @@ std::string commandOf(const Gallery& gallery, const GalleryPicture& p) {
                                     gallery.sceneOf(p).lexically_normal().string(),
                                     numberText(p.time), p.size.x, p.size.y);
   if (p.from) {
-    command += fmt::format(" --from={},{},{} --yaw {} --pitch {} --roll {} --fov {}",
-                           numberText(p.from->latitude_deg), numberText(p.from->longitude_deg),
-                           numberText(p.from->height), numberText(p.yaw_deg),
-                           numberText(p.pitch_deg), numberText(p.roll_deg),
-                           numberText(p.fieldOfView_deg));
+    command += fmt::format(
+        " --from={},{},{} --yaw {} --pitch {} --roll {} --fov {}", numberText(p.from->latitude_deg),
+        numberText(p.from->longitude_deg), numberText(p.from->height), numberText(p.yaw_deg),
+        numberText(p.pitch_deg), numberText(p.roll_deg), numberText(p.fieldOfView_deg));
   } else {
     command += " --camera " + p.camera;
   }

@@ -121,33 +121,32 @@ Json effectsJson(const EffectLedger& ledger) {
 }
 
 Json conventions() {
-  return {
-      {"sea_plane", "x east, y north, z up at the scene's anchor, m; z above the still-water level"},
-      {"body", "x forward, y to port, z up; a camera looks along +x; world_from_body has rows, its "
-               "columns are the body's axes in the sea plane"},
-      {"opencv", "x right, y down, z forward: p_camera = camera_from_world p_sea_plane + "
-                 "translation_m"},
-      {"pixels", "whole numbers are centres, (0, 0) that of the top left pixel; boxes are [left, "
-                 "top, right, bottom), of the visible part"},
-      {"box_3d", "in the body frame; the sea is curved: what lies away from the camera is drawn "
-                 "drawn_lower_by_m below its place in the sea plane"},
-      {"labels", "a water pixel is foam where at least half of it is white"}};
+  return {{"sea_plane",
+           "x east, y north, z up at the scene's anchor, m; z above the still-water level"},
+          {"body",
+           "x forward, y to port, z up; a camera looks along +x; world_from_body has rows, its "
+           "columns are the body's axes in the sea plane"},
+          {"opencv",
+           "x right, y down, z forward: p_camera = camera_from_world p_sea_plane + "
+           "translation_m"},
+          {"pixels",
+           "whole numbers are centres, (0, 0) that of the top left pixel; boxes are [left, "
+           "top, right, bottom), of the visible part"},
+          {"box_3d",
+           "in the body frame; the sea is curved: what lies away from the camera is drawn "
+           "drawn_lower_by_m below its place in the sea plane"},
+          {"labels", "a water pixel is foam where at least half of it is white"}};
 }
 
 }  // namespace
 
 Json frameJson(const DescribedFrame& d) {
   const render::FrameStats& stats = d.frame.stats;
-  Json json{{"scene", d.scene.file.string()},
-            {"seed", d.scene.sea.seed},
-            {"time_s", d.view.time},
-            {"camera", cameraJson(d)},
-            {"instances", instancesJson(d)},
-            {"labels", labelsJson(d)},
-            {"exposure", d.frame.exposure},
-            {"technique", stats.technique},
-            {"variant", stats.variant},
-            {"effects_on", effectsJson(d.effects)},
+  Json json{{"scene", d.scene.file.string()}, {"seed", d.scene.sea.seed},
+            {"time_s", d.view.time},          {"camera", cameraJson(d)},
+            {"instances", instancesJson(d)},  {"labels", labelsJson(d)},
+            {"exposure", d.frame.exposure},   {"technique", stats.technique},
+            {"variant", stats.variant},       {"effects_on", effectsJson(d.effects)},
             {"conventions", conventions()}};
   return json;
 }

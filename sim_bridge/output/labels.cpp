@@ -20,8 +20,8 @@ std::vector<std::uint16_t> labelsOf(const render::Frame& frame) {
         labels[i] = label::ground;
         break;
       case PixelClass::object:
-        labels[i] = frame.instances[i] == 0 ? label::otherObject
-                                            : labelOfInstance(frame.instances[i]);
+        labels[i] =
+            frame.instances[i] == 0 ? label::otherObject : labelOfInstance(frame.instances[i]);
         break;
     }
   }

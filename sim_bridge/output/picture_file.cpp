@@ -88,8 +88,7 @@ void writeWhole(const std::filesystem::path& path, Write write) {
 }  // namespace
 
 void requireWritablePicture(const std::filesystem::path& path) {
-  requireEnding(path, ".png",
-                "--out: '" + path.string() + "' is not allowed; pictures are PNG");
+  requireEnding(path, ".png", "--out: '" + path.string() + "' is not allowed; pictures are PNG");
 }
 
 void requireWritableExr(const std::filesystem::path& path) {

@@ -18,15 +18,16 @@ void writePicture(const std::filesystem::path& path, const render::ColourImage& 
 /// Throws InputError unless `path` ends in .exr (in any case) and can be written.
 void requireWritableExr(const std::filesystem::path& path);
 
-/// Depth and normals as OpenEXR files that appear whole or not at all; the latter need a frame drawn
-/// with normals.
+/// Depth and normals as OpenEXR files that appear whole or not at all; the latter need a frame
+/// drawn with normals.
 void writeDepth(const std::filesystem::path& path, const render::Frame& frame);
 void writeNormals(const std::filesystem::path& path, const render::Frame& frame);
 
-/// Linear radiance likewise, with depth in the same file if asked; needs a frame drawn with radiance.
+/// Linear radiance likewise, with depth in the same file if asked; needs a frame drawn with
+/// radiance.
 void writeRadiance(const std::filesystem::path& path, const render::Frame& frame, bool withDepth);
-/// Numbers of pixels as a grey PNG (render::writeGreyPng), leaving nothing behind when a signal ends the
-/// program.
+/// Numbers of pixels as a grey PNG (render::writeGreyPng), leaving nothing behind when a signal
+/// ends the program.
 void writeLabels(const std::filesystem::path& path, glm::ivec2 size,
                  const std::vector<std::uint16_t>& labels);
 

@@ -88,9 +88,26 @@ VideoFile::VideoFile(std::filesystem::path path, glm::ivec2 size, double framesP
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
   const std::string frame = std::to_string(size.x) + "x" + std::to_string(size.y);
   try {
-    process_ = start({"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24",
-                      "-s", frame, "-r", numberText(framesPerSecond), "-i", "-", "-an", "-vf",
-                      "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", beside_.string()},
+    process_ = start({"ffmpeg",
+                      "-y",
+                      "-loglevel",
+                      "error",
+                      "-f",
+                      "rawvideo",
+                      "-pix_fmt",
+                      "rgb24",
+                      "-s",
+                      frame,
+                      "-r",
+                      numberText(framesPerSecond),
+                      "-i",
+                      "-",
+                      "-an",
+                      "-vf",
+                      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                      "-pix_fmt",
+                      "yuv420p",
+                      beside_.string()},
                      ends[0], log_);
   } catch (...) {
     close(ends[0]);

@@ -10,8 +10,8 @@
 
 namespace seaway::bridge {
 
-/// An MP4 that the program `ffmpeg` makes of frames that it is handed through a pipe. It appears whole
-/// or not at all: written beside its path, renamed by `commit`.
+/// An MP4 that the program `ffmpeg` makes of frames that it is handed through a pipe. It appears
+/// whole or not at all: written beside its path, renamed by `commit`.
 class VideoFile {
  public:
   /// Starts ffmpeg. Frames are `size` pixels; ones with odd sides get a black line more, which the
@@ -38,8 +38,8 @@ class VideoFile {
   int pipe_ = -1;
 };
 
-/// Throws InputError unless `path` ends in .mp4, can be written and there is a program `ffmpeg` on the
-/// PATH. To be asked before the work.
+/// Throws InputError unless `path` ends in .mp4, can be written and there is a program `ffmpeg` on
+/// the PATH. To be asked before the work.
 void requireVideo(const std::filesystem::path& path);
 
 }  // namespace seaway::bridge

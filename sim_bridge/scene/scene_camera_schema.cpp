@@ -12,11 +12,11 @@ Mapping<SceneIntrinsics> intrinsicsSchema() {
   using I = SceneIntrinsics;
   using P = render::Intrinsics;
   const auto pixels = [](std::string key, double P::*member, Range range, std::string summary) {
-    return Field<I>{{std::move(key), "number", "px", range.text(), "", Need::required,
-                     std::move(summary), {}},
-                    [=](I& target, const YamlValue& value) {
-                      target.pixels.*member = readNumber(value, range, "px");
-                    }};
+    return Field<I>{
+        {std::move(key), "number", "px", range.text(), "", Need::required, std::move(summary), {}},
+        [=](I& target, const YamlValue& value) {
+          target.pixels.*member = readNumber(value, range, "px");
+        }};
   };
   const Range focal{.least = 0.0, .most = 1e7, .leastIncluded = false};
   return Mapping<I>({
@@ -26,7 +26,8 @@ Mapping<SceneIntrinsics> intrinsicsSchema() {
       pixels("cy_px", &P::cy, Range::any(), "principal point, downwards"),
       vector("size", &I::size, "pixels", Range::within(1, 1 << 20),
              "width and height of the pictures that they are given for; pictures of another size "
-             "show the same", Need::required),
+             "show the same",
+             Need::required),
   });
 }
 
@@ -45,7 +46,7 @@ Mapping<render::Distortion> distortionSchema() {
 void requirePinhole(const SceneCamera& camera, const YamlValue& value) {
   render::Camera pinhole;
   if (camera.intrinsics) {
-    if (const YamlValue* given = value.find("fov_deg")) given->fail("is not for beside intrinsics");
+    if (const YamlValue* given = value.find("fov_deg")) given->fail("is not allowed beside intrinsics");
     pinhole.size = camera.intrinsics->size;
     pinhole.intrinsics = camera.intrinsics->pixels;
     try {
@@ -71,26 +72,27 @@ Mapping<SceneCamera> cameraSchema() {
   });
   return Mapping<C>(
       {
-      name("name", &C::name, "unique among cameras"),
-      text("mount", &C::mount,
-           "vessel that carries the camera; a fixed camera has `place` instead"),
-      choice(
-          "stabilised", &C::stabilised, {{"true", true}, {"false", false}},
-          "carried along by the vessel's place and heading, but not heaving, rolling or pitching"),
-      vector("position_m", &C::position, "m", Range::within(-1000.0, 1000.0),
-             "on the mount: forward, to port, above its waterline at rest"),
-      mapping("place", &C::place, place, "of a fixed camera"),
-      number("yaw_deg", &C::yaw_deg, "°", compass,
-             "clockwise from the mount's bow; from true north for a fixed camera"),
-      number("pitch_deg", &C::pitch_deg, "°", Range::within(-90.0, 90.0), "positive up"),
-      number("roll_deg", &C::roll_deg, "°", compass, "positive right side down"),
-      number("fov_deg", &C::fieldOfView_deg, "°", Range::within(1.0, 170.0),
-             "vertical field of view"),
-      mapping("intrinsics", &C::intrinsics, intrinsicsSchema(),
+          name("name", &C::name, "unique among cameras"),
+          text("mount", &C::mount,
+               "vessel that carries the camera; a fixed camera has `place` instead"),
+          choice("stabilised", &C::stabilised, {{"true", true}, {"false", false}},
+                 "carried along by the vessel's place and heading, but not heaving, rolling or "
+                 "pitching"),
+          vector("position_m", &C::position, "m", Range::within(-1000.0, 1000.0),
+                 "on the mount: forward, to port, above its waterline at rest"),
+          mapping("place", &C::place, place, "of a fixed camera"),
+          number("yaw_deg", &C::yaw_deg, "°", compass,
+                 "clockwise from the mount's bow; from true north for a fixed camera"),
+          number("pitch_deg", &C::pitch_deg, "°", Range::within(-90.0, 90.0), "positive up"),
+          number("roll_deg", &C::roll_deg, "°", compass, "positive right side down"),
+          number("fov_deg", &C::fieldOfView_deg, "°", Range::within(1.0, 170.0),
+                 "vertical field of view"),
+          mapping(
+              "intrinsics", &C::intrinsics, intrinsicsSchema(),
               "a pinhole in pixels, in place of fov_deg, by OpenCV's convention: whole numbers are "
               "pixels' centres, (0, 0) that of the top left one"),
-      mapping("distortion", &C::distortion, distortionSchema(),
-              "Brown and Conrady's, of the lens, by OpenCV's convention; off without it"),
+          mapping("distortion", &C::distortion, distortionSchema(),
+                  "Brown and Conrady's, of the lens, by OpenCV's convention; off without it"),
       },
       requirePinhole);
 }

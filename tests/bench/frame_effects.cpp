@@ -11,15 +11,15 @@
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene_view.h"
 
-/// What each effect costs a frame, by technique: milliseconds that a frame takes longer with it than
-/// with it switched off.
+/// What each effect costs a frame, by technique: milliseconds that a frame takes longer with it
+/// than with it switched off.
 ///
-///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [SCENE:CAMERA:TIME ...]
+///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [--column software] [SCENE:CAMERA:TIME ...]
 ///
-/// Two techniques of each kind draw by turns, one with all that the scene calls for, one without the
-/// effect; the table has the medians of their frames' difference, and of whole frames. A negative
-/// number is noise, or an effect without which more is drawn. The sea's wakes and layers belong to the
-/// simulation and stay.
+/// Two techniques of each kind draw by turns, one with all that the scene calls for, one without
+/// the effect; the table has the medians of their frames' difference, and of whole frames. A
+/// negative number is noise, or an effect without which more is drawn. The sea's wakes and layers
+/// belong to the simulation and stay.
 namespace seaway::bench {
 namespace {
 
@@ -29,6 +29,7 @@ struct Options {
   std::string backend = "osmesa";
   glm::ivec2 size{1280, 720};
   int repeats = 9;
+  std::string column;  // this one alone; empty: all
   std::vector<std::string> views;
 };
 
@@ -40,8 +41,8 @@ struct Column {
 std::vector<Column> columnsFor(const std::string& backend, glm::ivec2 grid) {
   std::vector<Column> columns;
   const auto add = [&](const char* name, const char* technique, const char* variant) {
-    columns.push_back({name, {.technique = technique, .variant = variant, .grid = grid,
-                              .backend = backend}});
+    columns.push_back(
+        {name, {.technique = technique, .variant = variant, .grid = grid, .backend = backend}});
   };
   if (backend == "osmesa") {
     add("software", "projected_grid", "software");
@@ -156,7 +157,10 @@ void run(const Options& options) {
     std::getline(parts, camera, ':');
     std::getline(parts, time);
     Stage stage(path, camera, std::atof(time.c_str()));
-    const std::vector<Column> columns = columnsFor(options.backend, stage.scene.accuracy.grid);
+    std::vector<Column> columns = columnsFor(options.backend, stage.scene.accuracy.grid);
+    if (!options.column.empty()) {
+      std::erase_if(columns, [&](const Column& c) { return c.name != options.column; });
+    }
     std::vector<Costs> costs;
     for (const Column& column : columns) costs.push_back(measure(stage, column, options));
     printTable(text + ", " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y),
@@ -176,6 +180,8 @@ int main(int argc, char** argv) {
       options.backend = argv[++i];
     } else if (hasValue && word == "--repeats") {
       options.repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (hasValue && word == "--column") {
+      options.column = argv[++i];
     } else if (hasValue && word == "--size") {
       if (std::sscanf(argv[++i], "%dx%d", &options.size.x, &options.size.y) != 2) return 2;
     } else {
@@ -184,7 +190,8 @@ int main(int argc, char** argv) {
   }
   if (options.views.empty()) {
     options.views = {"configs/scenes/canaveral.yaml:chase:20", "configs/scenes/harbour.yaml:quay:5",
-                     "configs/scenes/storm.yaml:chase:12", "configs/scenes/crater_lake.yaml:shore:20"};
+                     "configs/scenes/storm.yaml:chase:12",
+                     "configs/scenes/crater_lake.yaml:shore:20"};
   }
   try {
     seaway::bench::run(options);

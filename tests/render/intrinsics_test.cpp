@@ -29,9 +29,8 @@ std::vector<Way> allWays() {
       {"radial_grid",
        [](glm::ivec2 grid) { return makeRadialGrid({.grid = grid, .displacement = 1.0}); }},
       {"post_process", [](glm::ivec2 grid) { return makePostProcess({.grid = grid}); }}};
-  for (const GridVariant variant :
-       {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::cpuVerticesGpuNormals,
-        GridVariant::marched}) {
+  for (const GridVariant variant : {GridVariant::cpuVertices, GridVariant::gpu,
+                                    GridVariant::cpuVerticesGpuNormals, GridVariant::marched}) {
     ways.push_back({std::string(gridVariantName(variant)), [=](glm::ivec2 grid) {
                       return makeProjectedGrid(test::sharedContext(),
                                                {.grid = grid, .variant = variant});
@@ -186,7 +185,8 @@ TEST_P(PinholeWays, APieceOfAPictureIsThatPieceDrawnByItself) {
   std::printf("%s: of %d pixels other class %d, depth %d, colour %d\n", way.name.c_str(), inside,
               classes, depths, colours);
   // Rounding moves edges of triangles past some pixels' centres; the march of the post-process
-  // steps from where each piece's bound says, and `marched` smooths its slopes over pairs of pixels.
+  // steps from where each piece's bound says, and `marched` smooths its slopes over pairs of
+  // pixels.
   EXPECT_LE(classes, inside / 200);
   EXPECT_LE(depths, inside / 100);
   EXPECT_LE(colours, inside / (way.name == "post_process" ? 20 : 50));
@@ -208,7 +208,8 @@ const std::vector<PinholeView>& pinholeViews(const WaterSurface& water) {
     std::vector<PinholeView> made;
     for (const Intrinsics& pinhole : pinholes) {
       const Camera camera = withPinhole(base, pinhole);
-      made.push_back({camera, test::drawnBy(*makeReference({.grid = {96, 192}}), water, camera, 3.0)});
+      made.push_back(
+          {camera, test::drawnBy(*makeReference({.grid = {96, 192}}), water, camera, 3.0)});
     }
     return made;
   }();

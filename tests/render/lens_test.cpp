@@ -257,8 +257,8 @@ TEST(Labels, InstancesAreTheFrontmostObjectsInEveryVariant) {
     const glm::dvec3 p = glm::dvec3(x, y, 0.9) - camera.position;
     const Intrinsics pinhole = camera.pinhole();
     const double axial = glm::dot(p, camera.forward());
-    const int column = static_cast<int>(
-        std::lround(pinhole.cx - pinhole.fx * glm::dot(p, camera.left()) / axial));
+    const int column =
+        static_cast<int>(std::lround(pinhole.cx - pinhole.fx * glm::dot(p, camera.left()) / axial));
     const int row =
         static_cast<int>(std::lround(pinhole.cy - pinhole.fy * glm::dot(p, camera.up()) / axial));
     return frame.instances[static_cast<std::size_t>(row) * 160 + column];
@@ -296,7 +296,7 @@ TEST(Labels, InstancesAreTheFrontmostObjectsInEveryVariant) {
     EXPECT_LE(ids, 16);  // of outlines some 250 pixels long
     // Whiteness is a ramp over slopes, of which each way loses its own within a pixel.
     EXPECT_NEAR(white, foam, 0.3 * foam);
-    EXPECT_LE(radiances, 16000 / 20);       // outlines, and crests whose glints moved
+    EXPECT_LE(radiances, 16000 / 20);  // outlines, and crests whose glints moved
   }
 }
 
@@ -317,7 +317,9 @@ TEST(LensHard, OnePixelSixteenSamplesASideAndWhatIsTooMuch) {
   }
   EXPECT_NE(refusal([&] { validateSamples({640, 480}, 17); }).find("17"), std::string::npos);
   EXPECT_NE(refusal([&] { validateSamples({640, 480}, 0); }).find("[1, 16]"), std::string::npos);
-  EXPECT_NE(refusal([&] { validateSamples({8192, 8192}, 8); }).find("4294967296"),
+  EXPECT_NE(refusal([&] {
+              validateSamples({8192, 8192}, 8);
+            }).find("4294967296"),
             std::string::npos);
   EXPECT_EQ(refusal([&] { validateSamples({8192, 8192}, 1); }), "");
   // Techniques by themselves draw neither.
@@ -325,15 +327,14 @@ TEST(LensHard, OnePixelSixteenSamplesASideAndWhatIsTooMuch) {
   EXPECT_NE(refusal([&] { makeSoftwareGrid()->draw(view); }).find("2 samples"), std::string::npos);
   view.samplesPerSide = 1;
   view.camera.distortion = action;
-  EXPECT_NE(refusal([&] { makeSoftwareGrid()->draw(view); }).find("distortion"),
-            std::string::npos);
+  EXPECT_NE(refusal([&] { makeSoftwareGrid()->draw(view); }).find("distortion"), std::string::npos);
 }
 
 TEST(FrameFilesOfNumbers, RadianceGoesThroughHalfFloatsAndLabelsThroughEightOrSixteenBits) {
   const std::string folder = ::testing::TempDir();
   const glm::ivec2 size(3, 2);
-  const std::vector<glm::vec3> radiance{{0.0f, 0.5f, 1.0f}, {1e-3f, 12.25f, 6e4f}, {1e9f, 1, 2},
-                                        {3, 4, 5},          {6, 7, 8},             {9, 10, 11}};
+  const std::vector<glm::vec3> radiance{
+      {0.0f, 0.5f, 1.0f}, {1e-3f, 12.25f, 6e4f}, {1e9f, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}};
   const std::vector<float> metres{1.0f, 2.5f, INFINITY, 1e5f, 0.1f, 7.0f};
   glm::ivec2 read;
   writeRadianceExr(folder + "/r.exr", size, radiance, &metres);

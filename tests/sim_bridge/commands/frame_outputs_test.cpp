@@ -38,10 +38,12 @@ TEST(FrameOutputs, OneFrameGivesAllOfThem) {
   const TempFolder folder;
   const std::string scene = writeScene(folder, seenFromAstern).string();
   const auto at = [&](const char* name) { return (folder / name).string(); };
-  const auto outcome = seaway(
-      {"render", scene, "--time", "1", "--size", "160x120", "--out", at("a.png"), "--depth",
-       at("a.exr"), "--radiance", at("a.exr"), "--normals", at("n.exr"), "--labels",
-       at("labels.png"), "--frame-json", at("a.json"), "--distortion", "-0.1,0.02,0.001,-0.001"});
+  const auto outcome =
+      seaway({"render",       scene,        "--time",       "1",
+              "--size",       "160x120",    "--out",        at("a.png"),
+              "--depth",      at("a.exr"),  "--radiance",   at("a.exr"),
+              "--normals",    at("n.exr"),  "--labels",     at("labels.png"),
+              "--frame-json", at("a.json"), "--distortion", "-0.1,0.02,0.001,-0.001"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   glm::ivec2 size;
   const std::vector<float> depth = render::readDepthExr(folder / "a.exr", size);
@@ -126,8 +128,8 @@ TEST(FrameOutputs, ARunWritesWhatIsAskedForAndARunAfterItTakesItAway) {
                     "normals,radiance"})
                 .status,
             0);
-  for (const char* suffix : {".png", ".json", ".labels.png", ".depth.exr", ".normals.exr",
-                             ".radiance.exr"}) {
+  for (const char* suffix :
+       {".png", ".json", ".labels.png", ".depth.exr", ".normals.exr", ".radiance.exr"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / ("out/frames/000001" + std::string(suffix))))
         << suffix;
   }

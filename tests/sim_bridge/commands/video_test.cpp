@@ -111,9 +111,10 @@ TEST(Video, ARunMakesOneThatFfprobeReads) {
       test::seaway({"run", scene.string(), "--out", (folder / "out").string(), "--fps", "6",
                     "--size", "65x49", "--video", (folder / "film.mp4").string()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::string probe = "ffprobe -v error -count_frames -show_entries stream=width,height,"
-                            "nb_read_frames -of csv=p=0 " + (folder / "film.mp4").string() + " > " +
-                            (folder / "probe.txt").string();
+  const std::string probe =
+      "ffprobe -v error -count_frames -show_entries stream=width,height,"
+      "nb_read_frames -of csv=p=0 " +
+      (folder / "film.mp4").string() + " > " + (folder / "probe.txt").string();
   ASSERT_EQ(std::system(probe.c_str()), 0);
   EXPECT_EQ(test::readFile(folder / "probe.txt"), "66,50,6\n");
   EXPECT_EQ(leftovers(folder), 0);
@@ -123,9 +124,8 @@ TEST(Video, ARunWithoutFramesRefusesIt) {
   const TempFolder folder;
   const auto scene = test::writeScene(folder);
   const StandIn ffmpeg(folder, "exit 0\n");
-  const auto outcome =
-      test::seaway({"run", scene.string(), "--out", (folder / "out").string(), "--fps", "0",
-                    "--video", (folder / "film.mp4").string()});
+  const auto outcome = test::seaway({"run", scene.string(), "--out", (folder / "out").string(),
+                                     "--fps", "0", "--video", (folder / "film.mp4").string()});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("no frames"), std::string::npos) << outcome.err;
 }

@@ -46,11 +46,12 @@ TEST(GalleryCommand, WritesAPageThatHoldsItsPicturesAndGoldenOnes) {
   test::writeScene(folder);
   const auto file = folder.write(
       "list.yaml",
-      "pictures:\n  - {name: high, scene: scene.yaml, time_s: 1, size: [64, 36], caption: \"a < b\",\n"
+      "pictures:\n  - {name: high, scene: scene.yaml, time_s: 1, size: [64, 36], caption: \"a < "
+      "b\",\n"
       "     from: {latitude_deg: 28.878, longitude_deg: -78.467, height_m: 40}, pitch_deg: -20}\n");
-  const test::Outcome drawn = test::seaway({"gallery", file.string(), "--out",
-                                            (folder / "page").string(), "--golden",
-                                            (folder / "golden").string()});
+  const test::Outcome drawn =
+      test::seaway({"gallery", file.string(), "--out", (folder / "page").string(), "--golden",
+                    (folder / "golden").string()});
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   const std::string page = test::readFile(folder / "page/index.html");
   EXPECT_NE(page.find("data:image/png;base64,iVBOR"), std::string::npos);

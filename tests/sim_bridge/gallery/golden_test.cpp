@@ -15,11 +15,12 @@ namespace {
 
 const std::filesystem::path source(SEAWAY_SOURCE_DIR);
 
-/// On one machine pictures are the same bits. Other processors' vector units fuse multiplications and
-/// additions, or do not: colours come a step away, the rim of a crest or an object a pixel, foam's
-/// threshold in a few. Measured: AVX-512 against SSE4 on one machine, see the lines that this prints.
-constexpr int farFrom = 12;         // 255ths of a channel
-constexpr double mostFar = 0.01;    // of the pixels
+/// On one machine pictures are the same bits (AreTheSameBitsTwice). Other processors' vector units fuse
+/// multiplications and additions, or do not: colours may come a step away, the rim of a crest or of
+/// an object a pixel, foam's threshold in a few. No other processor has been measured: the bounds are
+/// those of such rims, a hundredth of the pixels, and half a step on average a channel.
+constexpr int farFrom = 12;       // 255ths of a channel
+constexpr double mostFar = 0.01;  // of the pixels
 constexpr double mostOnAverage = 0.5;
 
 class GoldenPicture : public ::testing::TestWithParam<std::size_t> {};
@@ -32,7 +33,8 @@ const Gallery& gallery() {
 /// Leaves what was drawn and the difference beside the tests' binaries.
 void keep(const GalleryPicture& picture, const render::ColourImage& drawn,
           const render::ColourImage& golden) {
-  const std::filesystem::path folder = std::filesystem::path(SEAWAY_COMMAND).parent_path() / "golden";
+  const std::filesystem::path folder =
+      std::filesystem::path(SEAWAY_COMMAND).parent_path() / "golden";
   std::filesystem::create_directories(folder);
   writePicture(folder / (picture.name + ".png"), drawn);
   if (drawn.size == golden.size) {
