@@ -53,9 +53,10 @@ double displacement(const Camera& camera, glm::dvec2 pixel, double depth, double
   const glm::dvec3 foot = drawn - normal * off;
   const double axial = glm::dot(foot, camera.forward());
   if (axial < camera.nearDistance) return 0.0;
-  const double perPixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
+  const glm::dvec2 pixelExtent = camera.pixelExtent();
   const glm::dvec3 apart = foot / axial - perDepth;
-  return std::hypot(glm::dot(apart, camera.left()), glm::dot(apart, camera.up())) / perPixel;
+  return std::hypot(glm::dot(apart, camera.left()) / pixelExtent.x,
+                    glm::dot(apart, camera.up()) / pixelExtent.y);
 }
 
 double nthOf(std::vector<double>& values, double share) {

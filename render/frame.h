@@ -44,12 +44,27 @@ struct Frame {
   ColourImage colour;
   DepthImage depth;
   std::vector<PixelClass> classes;  ///< one a pixel
+  /// Linear radiance of the pixels that `colour` shows, before exposure and tone mapping, in the units
+  /// of ShadingConstants; empty unless asked for. Without the smoothing of edges that `colour` has.
+  std::vector<glm::vec3> radiance;
+  float exposure = 1.0f;  ///< what radiance is multiplied by before tone mapping
+  /// SceneObject::instance of what a pixel's centre shows, 0 for all else; empty unless asked for.
+  std::vector<std::uint16_t> instances;
+  /// Part of a water pixel that is white with foam, 0 to 255, 0 for all else; empty unless asked for.
+  std::vector<std::uint8_t> foam;
   /// Unit normals in the sea plane's axes, of water upwards, of sky 0; empty unless asked for.
   std::vector<glm::vec3> normals;
   FrameStats stats;
 };
 
+/// What a frame holds beside colour, depth and classes.
+struct FrameContents {
+  bool normals = false;   ///< Frame::normals
+  bool radiance = false;  ///< Frame::radiance
+  bool labels = false;    ///< Frame::instances and Frame::foam
+};
+
 /// Makes room for a picture of `size` pixels and forgets the last frame's statistics; memory is kept.
-void prepare(Frame& frame, glm::ivec2 size, bool withNormals);
+void prepare(Frame& frame, glm::ivec2 size, const FrameContents& contents);
 
 }  // namespace seaway::render

@@ -38,6 +38,17 @@ bool cameraIsUnderWater(const View& view) {
   return view.water && eye.z < view.water->sample(glm::dvec2(eye), view.time).height;
 }
 
+void validatePlain(const View& view) {
+  validate(view.camera);
+  if (view.camera.distortion && !view.camera.distortion->isNone()) {
+    throw InputError("camera: this technique draws pinholes; distortion is not allowed");
+  }
+  if (view.samplesPerSide != 1) {
+    throw InputError("camera: this technique sees each pixel once; " +
+                     std::to_string(view.samplesPerSide) + " samples a side are not allowed");
+  }
+}
+
 void validate(const ProjectedGridOptions& options) {
   if (options.grid.x < 2 || options.grid.y < 2) {
     std::ostringstream message;

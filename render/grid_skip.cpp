@@ -20,13 +20,13 @@ struct Side {
 };
 
 std::array<Side, 5> sidesOf(const Camera& camera, double bound) {
-  const double up = std::tan(0.5 * camera.verticalFieldOfView), across = up * camera.aspectRatio();
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
   const glm::dvec3 f = camera.forward(), l = camera.left(), u = camera.up();
   std::array<Side, 5> sides{{{f, camera.nearDistance},
-                             {across * f + l, 0.0},
-                             {across * f - l, 0.0},
-                             {up * f + u, 0.0},
-                             {up * f - u, 0.0}}};
+                             {(half.x + middle.x) * f + l, 0.0},
+                             {(half.x - middle.x) * f - l, 0.0},
+                             {(half.y - middle.y) * f + u, 0.0},
+                             {(half.y + middle.y) * f - u, 0.0}}};
   for (Side& side : sides) side.least -= bound * std::abs(side.normal.z);
   return sides;
 }

@@ -57,15 +57,15 @@ PixelBox pixelsOf(const PlacedHollow& hollow, const Camera& camera) {
   const glm::dvec3 middle(hollow.middle);
   const double radius = hollow.radius, axial = glm::dot(middle, camera.forward());
   if (axial - radius <= camera.nearDistance) return {{0, 0}, camera.size};
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const auto bounds = [&](double offset, double tangent, double& low, double& high) {
+  const glm::dvec2 half = camera.halfPicture(), picture = camera.pictureMiddle();
+  const auto bounds = [&](double offset, double tangent, double centre, double& low, double& high) {
     const double from = offset - radius, to = offset + radius;
-    low = from / ((from > 0.0 ? axial + radius : axial - radius) * tangent);
-    high = to / ((to > 0.0 ? axial - radius : axial + radius) * tangent);
+    low = from / ((from > 0.0 ? axial + radius : axial - radius) * tangent) - centre / tangent;
+    high = to / ((to > 0.0 ? axial - radius : axial + radius) * tangent) - centre / tangent;
   };
   double left, right, top, bottom;
-  bounds(-glm::dot(middle, camera.left()), tanY * camera.aspectRatio(), left, right);
-  bounds(-glm::dot(middle, camera.up()), tanY, top, bottom);
+  bounds(-glm::dot(middle, camera.left()), half.x, picture.x, left, right);
+  bounds(-glm::dot(middle, camera.up()), half.y, -picture.y, top, bottom);
   PixelBox box;
   cover(left, right, camera.size.x, box.least.x, box.end.x);
   cover(top, bottom, camera.size.y, box.least.y, box.end.y);
@@ -73,9 +73,7 @@ PixelBox pixelsOf(const PlacedHollow& hollow, const Camera& camera) {
 }
 
 void cutHollows(std::span<const PlacedHollow> hollows, const Camera& camera, Strip& strip) {
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const glm::vec3 forward(camera.forward()), up(camera.up() * tanY);
-  const glm::vec3 right(-camera.left() * (tanY * camera.aspectRatio()));
+  const glm::vec3 middle(camera.middleRay()), up(camera.upperHalf()), right(camera.rightHalf());
   const glm::vec2 perPixel = 2.0f / glm::vec2(camera.size);
   for (const PlacedHollow& hollow : hollows) {
     const PixelBox box = pixelsOf(hollow, camera);
@@ -83,7 +81,7 @@ void cutHollows(std::span<const PlacedHollow> hollows, const Camera& camera, Str
     for (int row = std::max(box.least.y, strip.top); row < last; ++row) {
       float* inverse =
           strip.inverse.data() + static_cast<std::size_t>(row - strip.top) * strip.stride;
-      const glm::vec3 line = forward + (1.0f - (static_cast<float>(row) + 0.5f) * perPixel.y) * up;
+      const glm::vec3 line = middle + (1.0f - (static_cast<float>(row) + 0.5f) * perPixel.y) * up;
       for (int x = box.least.x; x < box.end.x; ++x) {
         if (inverse[x] == 0.0f) continue;
         const glm::vec3 ray = line + ((static_cast<float>(x) + 0.5f) * perPixel.x - 1.0f) * right;

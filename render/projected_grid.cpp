@@ -75,6 +75,7 @@ class ProjectedGridTechnique final : public RenderTechnique {
   bool groundIsShown_ = false;
   std::optional<SkyDome> sky_;
   LocalLight local_;
+  ShadingConstants constants_;  // of this frame
   std::optional<ShadingPass> shading_;
   std::optional<ComputeShading> computeShading_;
   GpuClock gpuClock_;
@@ -180,6 +181,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   input.local = &local_;
   local_.fill(view, shown, input.constants, lighting.sky ? lighting.sky->texels().data() : nullptr);
   local_.setConstants(input.constants);
+  constants_ = input.constants;
   input.waterIsOn = shown.water;
   input.objectsAreOn = shown.objects || groundIsShown_;
   // What is shaded pays: nobody, where neither water nor sky is drawn.
@@ -189,7 +191,7 @@ void ProjectedGridTechnique::shade(const View& view, const Shown& shown, FrameSt
   if (shadesInCompute()) {
     timed(view, stats, "shading", payer, [&] {
       if (!computeShading_) computeShading_.emplace();
-      computeShading_->shade(*targets_, input);
+      computeShading_->shade(*targets_, input, view.wantsRadiance);
     });
     return;
   }
@@ -220,16 +222,20 @@ void ProjectedGridTechnique::read(const View& view, Frame& frame) {
     glFinish();
     return;
   }
-  timed(view, frame.stats, "readback", std::nullopt, [&] { readBack(*targets_, groundIsShown_, frame); });
+  timed(view, frame.stats, "readback", std::nullopt, [&] {
+    readBack(*targets_, groundIsShown_, frame);
+    readContents(*targets_, view.objects, constants_, frame);
+  });
+  frame.exposure = constants_.exposure;
   timed(view, frame.stats, "smoothing", std::nullopt,
         [&] { smoothEdges(frame.colour, frame.depth, frame.classes); });
 }
 
 void ProjectedGridTechnique::drawInto(const View& view, Frame& frame) {
-  validate(view.camera);
+  validatePlain(view);
   context_.makeCurrent();
   prepareTargets(view.camera);
-  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.wantsNormals);
+  prepare(frame, options_.readBack ? view.camera.size : glm::ivec2(0), view.contents());
   frame.stats.technique = name();
   frame.stats.variant = gridVariantName(options_.variant);
   frame.stats.backend = context_.backend();

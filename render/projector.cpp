@@ -20,10 +20,15 @@ constexpr double aheadInHeights = 3.0;
 /// widest angle off axis. A camera of 170° and 16:9 sees to 0.044 itself.
 constexpr double leastCotangent = 0.04;
 
-/// Where the projector's axis points horizontally. The camera's forward direction serves until it
+/// Unit vector through the picture's middle.
+glm::dvec3 viewDirection(const Camera& camera) {
+  return camera.intrinsics ? glm::normalize(camera.middleRay()) : camera.forward();
+}
+
+/// Where the projector's axis points horizontally. The camera's view direction serves until it
 /// looks nearly straight up or down; then the top of its picture does.
 glm::dvec2 azimuthOf(const Camera& camera) {
-  const glm::dvec3 forward = camera.forward(), up = camera.up();
+  const glm::dvec3 forward = viewDirection(camera), up = camera.up();
   const glm::dvec2 ahead(forward), top = glm::dvec2(up) * (forward.z > 0.0 ? -1.0 : 1.0);
   return glm::normalize(glm::length(ahead) > 0.1 ? ahead : top);
 }
@@ -31,7 +36,7 @@ glm::dvec2 azimuthOf(const Camera& camera) {
 /// Depression of the axis by methods 1 and 2, blended by |f·N|. The view direction is mirrored in
 /// the plane where it looks away from it.
 double depressionOf(const Camera& camera, double height) {
-  const double down = std::min(std::abs(camera.forward().z), 1.0);
+  const double down = std::min(std::abs(viewDirection(camera).z), 1.0);
   const double level = std::sqrt(1.0 - down * down);
   const double ahead = level * aheadInHeights * height;                     // method 2
   const double hit = std::min(level / std::max(down, 1e-9), 1e3) * height;  // method 1

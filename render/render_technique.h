@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -49,6 +50,7 @@ struct SceneObject {
   const Mesh* mesh = nullptr;
   glm::dvec3 position{0.0};
   glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};
+  std::uint16_t instance = 0;  ///< what Frame::instances calls it; 0: not told from the rest
 };
 
 /// Everything a technique draws: no graphics library in sight.
@@ -60,10 +62,19 @@ struct View {
   std::span<const SceneObject> objects;
   EffectLedger* effects = nullptr;  ///< decides what is drawn; required
   bool wantsNormals = false;        ///< fill Frame::normals
+  bool wantsRadiance = false;       ///< fill Frame::radiance
+  bool wantsLabels = false;         ///< fill Frame::instances and Frame::foam
+  /// Each pixel's colour is the mean radiance of this many by as many: by techniques of
+  /// makeTechnique(), others refuse more than 1.
+  int samplesPerSide = 1;
+  FrameContents contents() const { return {wantsNormals, wantsRadiance, wantsLabels}; }
   /// The camera that a projected grid is placed for, where it is not `camera`: to look at a grid
   /// from elsewhere, and to see what changes as it moves.
   const Camera* gridCamera = nullptr;
 };
+
+/// Throws InputError unless the camera is in range and a pinhole, seen once a pixel.
+void validatePlain(const View& view);
 
 /// One way to draw the sea and what floats on it.
 class RenderTechnique {

@@ -18,12 +18,14 @@ bool inView(const SceneObject& object, const Camera& camera) {
   const double radius = object.mesh->boundingRadius;
   const double axial = glm::dot(centre, camera.forward());
   if (axial < camera.nearDistance - radius || axial > camera.farDistance + radius) return false;
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const double tanX = tanY * camera.aspectRatio();
-  const double x = std::abs(glm::dot(centre, camera.left()));
-  const double y = std::abs(glm::dot(centre, camera.up()));
-  return x - axial * tanX <= radius * std::hypot(1.0, tanX) &&
-         y - axial * tanY <= radius * std::hypot(1.0, tanY);
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
+  // Not wholly beyond a side of the frustum, whose tangent from the view axis is given.
+  const auto reaches = [&](double outwards, double tangent) {
+    return outwards - axial * tangent <= radius * std::hypot(1.0, tangent);
+  };
+  const double right = -glm::dot(centre, camera.left()), up = glm::dot(centre, camera.up());
+  return reaches(right, half.x + middle.x) && reaches(-right, half.x - middle.x) &&
+         reaches(up, half.y + middle.y) && reaches(-up, half.y - middle.y);
 }
 
 glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {

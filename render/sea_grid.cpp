@@ -203,10 +203,10 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
 }
 
 std::size_t SeaGrid::verticesInFrustum(const Camera& camera) const {
-  const double halfHeight = std::tan(0.5 * camera.verticalFieldOfView);
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
   const glm::vec3 forward(camera.forward());
-  const glm::vec3 right(-camera.left() / (halfHeight * camera.aspectRatio()));
-  const glm::vec3 up(camera.up() / halfHeight);
+  const glm::vec3 right((-camera.left() - middle.x * camera.forward()) / half.x);
+  const glm::vec3 up((camera.up() - middle.y * camera.forward()) / half.y);
   const auto nearest = static_cast<float>(camera.nearDistance);
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, vertexCount(), 4096), std::size_t{0},

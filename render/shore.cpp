@@ -42,7 +42,7 @@ PixelBox pixelsOf(const WaterOutline& outline, const Camera& camera, double heig
   const glm::dvec2 extent = outline.cellSize() * glm::dvec2(outline.cellCount());
   // Between corners the curved sea stands higher than they do.
   const double bulge = seaDrop(0.5 * glm::length(extent));
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
   glm::dvec2 low(nowhere), high(-nowhere);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec2 place = least + extent * glm::dvec2(corner & 1, corner >> 1 & 1);
@@ -50,8 +50,8 @@ PixelBox pixelsOf(const WaterOutline& outline, const Camera& camera, double heig
     const glm::dvec3 p(place, up - seaDrop(glm::length(place)) - camera.position.z);
     const double axial = glm::dot(p, camera.forward());
     if (axial <= camera.nearDistance) return {{0, 0}, camera.size};
-    const glm::dvec2 onScreen(-glm::dot(p, camera.left()) / (axial * tanY * camera.aspectRatio()),
-                              -glm::dot(p, camera.up()) / (axial * tanY));
+    const glm::dvec2 onScreen((-glm::dot(p, camera.left()) / axial - middle.x) / half.x,
+                              (-glm::dot(p, camera.up()) / axial + middle.y) / half.y);
     low = glm::min(low, onScreen);
     high = glm::max(high, onScreen);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/headless_context.h"
+#include "render/lens.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -61,7 +62,9 @@ std::span<const std::string_view> variantNames() {
   return names;
 }
 
-std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice) {
+namespace {
+
+std::unique_ptr<RenderTechnique> makePinhole(const TechniqueChoice& choice) {
   requireKnown("technique", choice.technique, techniqueNames());
   requireKnown("variant", choice.variant, variantNames());
   if (choice.technique != "projected_grid" && choice.variant != "automatic") {
@@ -79,6 +82,12 @@ std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice) {
   });
   if (options.variant == GridVariant::software) return makeSoftwareGrid(options);
   return std::make_unique<WithContext>(makeHeadlessContext(choice.backend), options);
+}
+
+}  // namespace
+
+std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice) {
+  return makeLens(makePinhole(choice));
 }
 
 }  // namespace seaway::render

@@ -22,7 +22,7 @@ struct TechniqueChoice {
 std::span<const std::string_view> techniqueNames();
 std::span<const std::string_view> variantNames();
 
-/// Makes the technique and the context it needs, if any. Throws InputError for an unknown name, with
+/// Makes the technique and the context it needs, if any, with whatever lens a view has (lens.h). Throws InputError for an unknown name, with
 /// those that are known.
 std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice);
 

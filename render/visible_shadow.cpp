@@ -31,22 +31,21 @@ VisibleShadow::VisibleShadow(const Camera& camera, double heightBound, glm::dvec
     return glm::dvec3(glm::dot(glm::dvec2(v), azimuth),
                       glm::dot(glm::dvec2(v), glm::dvec2(azimuth.y, -azimuth.x)), v.z);
   };
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  const glm::dvec3 forward = turned(camera.forward());
-  const glm::dvec3 right = -turned(camera.left()) * (tanY * camera.aspectRatio());
-  const glm::dvec3 up = turned(camera.up()) * tanY;
+  const glm::dvec3 forward = turned(camera.forward()), middle = turned(camera.middleRay());
+  const glm::dvec3 right = turned(camera.rightHalf()), up = turned(camera.upperHalf());
+  const glm::dvec2 off = camera.pictureMiddle() / camera.halfPicture();
   planes_[0] = {forward, camera.nearDistance};
-  // A ray forward + x·right + y·up is inside for x and y in [-1, 1].
+  // A ray middle + x·right + y·up is inside for x and y in [-1, 1].
   for (int side = 0; side < 2; ++side) {
     const double sign = side ? 1.0 : -1.0;
-    planes_[1 + side] = {forward + right * (sign / glm::dot(right, right)), 0.0};
-    planes_[3 + side] = {forward + up * (sign / glm::dot(up, up)), 0.0};
+    planes_[1 + side] = {forward * (1.0 - sign * off.x) + right * (sign / glm::dot(right, right)), 0.0};
+    planes_[3 + side] = {forward * (1.0 - sign * off.y) + up * (sign / glm::dot(up, up)), 0.0};
   }
   constexpr double x[] = {-1.0, 1.0, 1.0, -1.0}, y[] = {-1.0, -1.0, 1.0, 1.0};
   for (int i = 0; i < 4; ++i) {
     const int next = (i + 1) % 4;
-    const glm::dvec3 ray = forward + right * x[i] + up * y[i];
-    const glm::dvec3 beside = forward + right * x[next] + up * y[next];
+    const glm::dvec3 ray = middle + right * x[i] + up * y[i];
+    const glm::dvec3 beside = middle + right * x[next] + up * y[next];
     edges_[i] = {ray * camera.nearDistance, ray, endless};
     edges_[4 + i] = {ray * camera.nearDistance, (beside - ray) * camera.nearDistance, 1.0};
   }

@@ -13,14 +13,13 @@ namespace {
 using FrustumCorners = std::array<glm::dvec3, 8>;  // bit 0: right, bit 1: top, bit 2: far
 
 FrustumCorners frustumCorners(const Camera& camera, double farDistance) {
-  const double halfHeight = std::tan(0.5 * camera.verticalFieldOfView);
   const glm::dvec3 eye(0.0, 0.0, camera.position.z);
-  const glm::dvec3 toRight = -camera.left() * (halfHeight * camera.aspectRatio());
-  const glm::dvec3 upwards = camera.up() * halfHeight;
+  const glm::dvec3 middle = camera.middleRay();
+  const glm::dvec3 toRight = camera.rightHalf(), upwards = camera.upperHalf();
   FrustumCorners corners;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 ray =
-        camera.forward() + (i & 1 ? 1.0 : -1.0) * toRight + (i & 2 ? 1.0 : -1.0) * upwards;
+        middle + (i & 1 ? 1.0 : -1.0) * toRight + (i & 2 ? 1.0 : -1.0) * upwards;
     corners[i] = eye + ray * (i & 4 ? farDistance : camera.nearDistance);
   }
   return corners;

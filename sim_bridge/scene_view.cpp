@@ -50,6 +50,10 @@ render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
   render::Camera placed;
   placed.verticalFieldOfView = radiansFromDegrees(camera.fieldOfView_deg);
   placed.size = size;
+  if (camera.intrinsics) {
+    placed.intrinsics = scaled(camera.intrinsics->pixels, camera.intrinsics->size, size);
+  }
+  placed.distortion = camera.distortion;
   if (camera.place) {
     placeFixed(placed, camera, *moment.geodesy);
   } else {
@@ -80,11 +84,15 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
       glm::dvec2(view.camera.position), light.sun.azimuth_deg);
   view.light.windSpeed = light.wind.speed;
   objects_.clear();
+  instances_.clear();
   for (const PlacedVessel& placed : moment.vessels) {
     objects_.push_back({&meshes_[placed.vessel],
                         glm::dvec3(placed.pose.position, placed.pose.height),
-                        placed.pose.worldFromBody()});
+                        placed.pose.worldFromBody(),
+                        static_cast<std::uint16_t>(placed.vessel + 1)});
+    instances_.push_back({scene_->vessels[placed.vessel].name, "vessel", nullptr});
   }
+  for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i].object = &objects_[i];
   view.objects = objects_;
   view.effects = &ledger;
   return view;

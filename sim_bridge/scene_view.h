@@ -22,6 +22,13 @@ struct SceneMoment {
   std::span<const PlacedVessel> vessels;
 };
 
+/// Something of a scene that pictures tell apart, by SceneObject::instance.
+struct SceneInstance {
+  std::string name;
+  std::string kind;  ///< "vessel"
+  const render::SceneObject* object = nullptr;
+};
+
 /// A camera of a scene at a moment: its place, attitude and field of view. A mounted one stands on
 /// the first of `moment`'s vessels that is its mount. Throws InputError where there is none.
 render::Camera placedCamera(const Scene& scene, const SceneCamera& camera,
@@ -41,11 +48,16 @@ class SceneView {
   render::View view(const SceneMoment& moment, const SceneCamera& camera, glm::ivec2 size,
                     EffectLedger& ledger);
 
+  /// What the last view's objects are that have an instance: of a vessel its number in the scene, from
+  /// 1 on. Valid as long as that view.
+  const std::vector<SceneInstance>& instances() const { return instances_; }
+
  private:
   const Scene* scene_;
   std::vector<render::Mesh> meshes_;
   std::vector<PlacedVessel> vessels_;
   std::vector<render::SceneObject> objects_;
+  std::vector<SceneInstance> instances_;
 };
 
 /// Simulation::replayed with a progress bar.

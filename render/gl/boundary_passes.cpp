@@ -10,10 +10,9 @@ namespace seaway::render {
 namespace {
 
 void setRays(const GlProgram& program, const Camera& camera) {
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
-  program.set("forward", glm::vec3(camera.forward()));
-  program.set("right", glm::vec3(-camera.left() * (tanY * camera.aspectRatio())));
-  program.set("up", glm::vec3(camera.up() * tanY));
+  program.set("middleRay", glm::vec3(camera.middleRay()));
+  program.set("right", glm::vec3(camera.rightHalf()));
+  program.set("up", glm::vec3(camera.upperHalf()));
 }
 
 /// Draws over all pixels, whatever their depth, in the stencil class given.

@@ -6,7 +6,8 @@ ComputeShading::ComputeShading()
     : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h",
                                    "sea_shading.glsl.h", "shade.comp"})) {}
 
-void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
+void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input,
+                           bool wantsRadiance) {
   setShadingConstants(program_, input.constants);
   if (input.sky) program_.setTexture("dome", 0, textures_.dome(*input.sky));
   program_.setTexture("surfaceMap", 1, targets.surface);
@@ -14,6 +15,8 @@ void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input) {
   program_.setTexture("distanceMap", 3, targets.distance);
   if (input.waterIsOn) setWaterTextures(program_, textures_, input);
   glBindImageTexture(0, targets.displayBytes(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+  program_.set("radianceIsWanted", wantsRadiance ? 1 : 0);
+  glBindImageTexture(3, targets.radiance, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   glUseProgram(program_);
   glDispatchCompute(static_cast<GLuint>((targets.size.x + 15) / 16),
                     static_cast<GLuint>((targets.size.y + 7) / 8), 1);

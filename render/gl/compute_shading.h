@@ -10,8 +10,8 @@ namespace seaway::render {
 class ComputeShading {
  public:
   ComputeShading();
-  /// From `geometry` to `display`.
-  void shade(FrameTargets& targets, const ShadingInput& input);
+  /// From `geometry` to `display`, and to `radiance` where that is wanted.
+  void shade(FrameTargets& targets, const ShadingInput& input, bool wantsRadiance);
 
   std::size_t skyMemoryBytes() const { return textures_.skyMemoryBytes(); }
   std::size_t waterMemoryBytes() const { return textures_.waterMemoryBytes(); }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "render/frame.h"
 #include "render/gl/gl_objects.h"
+#include "render/render_technique.h"
+#include "render/shading/shading_constants.h"
 
 namespace seaway::render {
 
@@ -35,6 +38,11 @@ struct FrameTargets {
  private:
   GlTexture displayBytes_;
 };
+
+/// Copies what `frame` has room for beside colour, depth, classes and normals: radiance, instances of
+/// `objects`, foam as `constants` shade it. To be called after readBack.
+void readContents(const FrameTargets& targets, std::span<const SceneObject> objects,
+                  const ShadingConstants& constants, Frame& frame);
 
 /// Copies `display` and `distance` into a frame of that size. Ground is an object without alpha in
 /// `albedo`: looked for where `groundIsShown`.

@@ -15,13 +15,12 @@ std::string_view MarchedPass::variant() const { return gridVariantName(GridVaria
 SeaPlacement MarchedPass::place(const View& view, const Projector& projector, glm::ivec2 size) {
   waves_.fill(view, projector, size);
   const Camera& camera = view.camera;
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
   nearDistance_ = static_cast<float>(camera.nearDistance);
   setCurvedSea(march_, camera);
   waves_.useOutline(march_, view);
-  march_.set("forward", glm::vec3(camera.forward()));
-  march_.set("right", glm::vec3(-camera.left() * (tanY * camera.aspectRatio())));
-  march_.set("up", glm::vec3(camera.up() * tanY));
+  march_.set("middleRay", glm::vec3(camera.middleRay()));
+  march_.set("right", glm::vec3(camera.rightHalf()));
+  march_.set("up", glm::vec3(camera.upperHalf()));
   march_.set("nearDistance", nearDistance_);
   const WaveMap::Tally tally = waves_.map().tally();
   return {tally.largestHeight, static_cast<std::size_t>(size.x) * size.y, tally.verticesInFrustum};

@@ -1,5 +1,6 @@
 #include "render/gl/object_pass.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
@@ -41,11 +42,14 @@ void ObjectPass::draw(std::span<const SceneObject> objects, const Camera& camera
   glUseProgram(program_);
   glBindVertexArray(array_);
   program_.set("clipFromRelativeWorld", clipFromRelativeWorld);
+  std::size_t number = 0;
   for (const SceneObject& object : objects) {
+    ++number;
     if (!inView(object, camera)) continue;
     const std::vector<ObjectVertex> vertices = flatShaded(*object.mesh);
     if (vertices.empty()) continue;
     vertices_.put(std::span(vertices));
+    program_.set("tag", static_cast<float>(std::min(number, mostTold + 1)) / 255.0f);
     program_.set("rotation", glm::mat3(glm::mat3_cast(object.worldFromBody)));
     program_.set("position", glm::vec3(relativePosition(object, camera)));
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));

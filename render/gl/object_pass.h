@@ -8,9 +8,11 @@
 
 namespace seaway::render {
 
-/// Draws scene objects into the geometry framebuffer, which must be bound.
+/// Draws scene objects into the geometry framebuffer, which must be bound. Their number among the
+/// objects, from 1 on, is what `albedo` has as alpha, in 255ths; 255 from there on.
 class ObjectPass {
  public:
+  static constexpr std::size_t mostTold = 254;
   ObjectPass();
   void draw(std::span<const SceneObject> objects, const Camera& camera,
             const glm::mat4& clipFromRelativeWorld);

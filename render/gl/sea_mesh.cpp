@@ -13,10 +13,10 @@ class FrustumSides {
  public:
   explicit FrustumSides(const Camera& camera)
       : forward_(camera.forward()),
-        right_(-camera.left()),
-        up_(camera.up()),
-        tanY_(static_cast<float>(std::tan(0.5 * camera.verticalFieldOfView))),
-        tanX_(tanY_ * static_cast<float>(camera.aspectRatio())),
+        right_(-camera.left() - camera.pictureMiddle().x * camera.forward()),
+        up_(camera.up() - camera.pictureMiddle().y * camera.forward()),
+        tanY_(static_cast<float>(camera.halfPicture().y)),
+        tanX_(static_cast<float>(camera.halfPicture().x)),
         nearest_(static_cast<float>(camera.nearDistance)) {}
 
   std::uint8_t beyond(glm::vec3 p) const {

@@ -123,6 +123,7 @@ void setWaterTextures(const GlProgram& program, ShadingTextures& textures,
 
 void setShadingConstants(const GlProgram& program, const ShadingConstants& c) {
   program.set("forward", c.forward);
+  program.set("middleRay", c.middleRay);
   program.set("right", c.right);
   program.set("up", c.up);
   program.set("pixelAngle", c.pixelAngle);

@@ -80,11 +80,11 @@ void WaveMap::fill(const FieldTwin& field, std::span<const TwinRow> rows, int co
   uploadRows(rows);
   bindBuffers();
 
-  const double tanY = std::tan(0.5 * camera.verticalFieldOfView);
+  const glm::dvec2 half = camera.halfPicture(), middle = camera.pictureMiddle();
   setCurvedSea(program_, camera);
   program_.set("axialFromWorld", glm::vec3(camera.forward()));
-  program_.set("xFromWorld", glm::vec3(camera.left() / (tanY * camera.aspectRatio())));
-  program_.set("yFromWorld", glm::vec3(camera.up() / tanY));
+  program_.set("xFromWorld", glm::vec3((camera.left() + middle.x * camera.forward()) / half.x));
+  program_.set("yFromWorld", glm::vec3((camera.up() - middle.y * camera.forward()) / half.y));
   program_.set("nearDistance", static_cast<float>(camera.nearDistance));
   program_.set("stampsAreOn", stamps != 0 ? 1 : 0);
   program_.setTexture("stamps", 0, stamps);

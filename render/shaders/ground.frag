@@ -3,7 +3,7 @@
 in vec2 screen;
 
 uniform sampler2D distanceMap;
-uniform vec3 forward, right, up;
+uniform vec3 middleRay, right, up;
 uniform float eyeHeight, curvature, nearDistance;
 uniform vec3 groundReflectance;
 
@@ -23,7 +23,7 @@ float stillWaterAlong(float sink, float bend) {
 
 void main() {
   float water = texelFetch(distanceMap, ivec2(gl_FragCoord.xy), 0).r;
-  vec3 ray = forward + screen.x * right + screen.y * up;
+  vec3 ray = middleRay + screen.x * right + screen.y * up;
   bool dry = water > 0.0 && !isWater(ray.xy * water);
   float still = stillWaterAlong(ray.z, dot(ray.xy, ray.xy) * curvature);
   float shown = water > 0.0 && !dry ? water : nowhere;

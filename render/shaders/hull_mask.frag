@@ -3,7 +3,7 @@
 in vec2 screen;
 
 uniform sampler2D distanceMap;
-uniform vec3 forward, right, up;
+uniform vec3 middleRay, right, up;
 uniform vec4 planes[12];  // relative to the camera
 uniform int planeCount;
 
@@ -12,7 +12,7 @@ layout(location = 2) out float signedDistance;
 void main() {
   float water = texelFetch(distanceMap, ivec2(gl_FragCoord.xy), 0).r;
   if (water <= 0.0) discard;
-  vec3 place = water * (forward + screen.x * right + screen.y * up);
+  vec3 place = water * (middleRay + screen.x * right + screen.y * up);
   for (int i = 0; i < planeCount; ++i) {
     if (dot(planes[i].xyz, place) >= planes[i].w) discard;
   }

@@ -18,7 +18,7 @@ uniform sampler2D extras;
 uniform bool extrasAreOn;
 uniform sampler2D coverMap;
 uniform bool coverIsOn;
-uniform vec3 forward, right, up;  // view axes; right and up as long as half the image plane
+uniform vec3 middleRay, right, up;  // of a picture at 1 m: its middle, to its right and upper edge
 uniform float nearDistance;
 
 shared vec3 slopes[gl_WorkGroupSize.y][gl_WorkGroupSize.x];
@@ -217,7 +217,7 @@ void main() {
   if (rowDistance(lastRow) < rowDistance(0)) away = -away;
 
   vec2 screen = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
-  vec3 direction = forward + screen.x * right + screen.y * up;
+  vec3 direction = middleRay + screen.x * right + screen.y * up;
   Ray ray = Ray(direction.xy, direction.z, dot(direction.xy, direction.xy) * curvature);
   Hit hit = march(ray);
   vec4 surface = vec4(0.0);

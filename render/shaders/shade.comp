@@ -3,6 +3,9 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(rgba8, binding = 0) writeonly uniform image2D displayImage;
 
+layout(rgba16f, binding = 3) writeonly uniform image2D radianceImage;
+uniform bool radianceIsWanted;
+
 uniform sampler2D surfaceMap;
 uniform sampler2D albedoMap;
 uniform sampler2D distanceMap;  // 0 sky, > 0 water, < 0 object
@@ -31,7 +34,9 @@ void main() {
   ivec2 size = imageSize(displayImage);
   if (any(greaterThanEqual(pixel, size))) return;
   vec2 screen = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
-  vec3 radiance = pixelRadiance(pixel, forward + screen.x * right + screen.y * up);
-  vec3 display = srgb(filmic(min(radiance, vec3(6e4))));
+  vec3 radiance = pixelRadiance(pixel, middleRay + screen.x * right + screen.y * up);
+  radiance = min(radiance, vec3(6e4));
+  if (radianceIsWanted) imageStore(radianceImage, pixel, vec4(radiance, 1.0));
+  vec3 display = srgb(filmic(radiance));
   imageStore(displayImage, ivec2(pixel.x, size.y - 1 - pixel.y), vec4(display, 1.0));
 }

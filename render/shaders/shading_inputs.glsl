@@ -7,7 +7,7 @@ uniform sampler2D distanceMap;
 
 layout(location = 0) out vec4 radiance;
 
-vec3 pixelRay() { return forward + screen.x * right + screen.y * up; }
+vec3 pixelRay() { return middleRay + screen.x * right + screen.y * up; }
 
 vec3 relativePosition() {
   return pixelRay() * abs(texelFetch(distanceMap, ivec2(gl_FragCoord.xy), 0).r);

@@ -8,7 +8,7 @@
 #define choose(condition, yes, no) ((condition) ? (yes) : (no))
 
 // ShadingConstants
-uniform vec3 forward, right, up;
+uniform vec3 forward, middleRay, right, up;
 uniform float pixelAngle;
 uniform bool cameraIsUnderWater, sunIsOn, skyIsOn, ripplesAreOn;
 uniform vec3 sunDirection, sunLight, skyLight;

@@ -1,5 +1,6 @@
 #include "render/shading/pixel_shader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -295,6 +296,23 @@ void ShadeRadiance(const ShadingSources& sources, const PixelSpan& span, glm::ve
   }
 }
 
+void FoamParts(const ShadingSources& sources, const PixelSpan& span, float* parts) {
+  PixelShader shader(sources);
+  const Floats f;
+  for (int i = 0; i < span.count; i += static_cast<int>(laneCount())) {
+    const Real index = hn::Iota(f, static_cast<float>(i));
+    const Real3 ray = Real3(span.firstRay) + Real3(span.rayStep) * index;
+    const Real axial = hn::Load(f, span.axial + i);
+    const Real lying = span.hasCover ? Real(hn::Load(f, span.cover[0] + i)) : Real(0.0f);
+    const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
+    const Real part = shader.foamPart(ray * axial, sqrt(dot(ray, ray)) * axial, slope,
+                                      hn::Load(f, span.missingSlope + i),
+                                      hn::Load(f, span.height + i), lying);
+    const VU kinds = hn::Load(Words(), reinterpret_cast<const std::uint32_t*>(span.kind + i));
+    hn::Store(choose(isKind(kinds, ShadedAs::water), part, Real(0.0f)).v, f, parts + i);
+  }
+}
+
 void ShadeSpan(const ShadingSources& sources, const ToneTable& tones, const PixelSpan& span,
                std::uint8_t* rgb) {
   const hn::Rebind<std::uint8_t, Floats> bytes;
@@ -339,19 +357,46 @@ namespace seaway::render {
 
 HWY_EXPORT(ShadeSpan);
 HWY_EXPORT(ShadeRadiance);
+HWY_EXPORT(FoamParts);
 HWY_EXPORT(FillTones);
 
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance) {
   HWY_DYNAMIC_DISPATCH(ShadeRadiance)(sources, span, radiance);
 }
 
-void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb) {
+namespace {
+
+const ToneTable& toneTable() {
   static const ToneTable tones = [] {
     ToneTable made;
     HWY_DYNAMIC_DISPATCH(FillTones)(made);
     return made;
   }();
-  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, tones, span, rgb);
+  return tones;
+}
+
+}  // namespace
+
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb) {
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, toneTable(), span, rgb);
+}
+
+void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t* rgb) {
+  const ToneTable& tones = toneTable();
+  for (const glm::vec3& pixel : radiance) {
+    for (int c = 0; c < 3; ++c) {
+      const float root = std::sqrt(std::max(pixel[c] * exposure, 0.0f)) * ToneTable::perRoot;
+      *rgb++ = tones.bytes[static_cast<std::size_t>(std::min(root + 0.5f, ToneTable::steps - 1.0f))];
+    }
+  }
+}
+
+void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts) {
+  if (!sources.constants.foamIsOn) {
+    std::fill_n(parts, span.count, 0.0f);
+    return;
+  }
+  HWY_DYNAMIC_DISPATCH(FoamParts)(sources, span, parts);
 }
 
 }  // namespace seaway::render

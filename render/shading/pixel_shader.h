@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "render/local_image.h"
 #include "render/shading/shading_constants.h"
@@ -49,6 +50,13 @@ struct ShadingSources {
 
 /// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb);
+
+/// sRGB colours, 3 bytes each, of linear radiance: what shadeSpan makes of it, to the bit.
+void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t* rgb);
+
+/// Part of each of a span's pixels that is white with foam, [0, 1], where constants.foamIsOn; 0 but for
+/// water. `parts` is writable up to the next multiple of 16.
+void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts);
 
 /// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);

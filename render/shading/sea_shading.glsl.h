@@ -285,6 +285,18 @@ SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
   return mix(cover, lace, kept);
 }
 
+// Part of a pixel of water that is white with foam, as waterRadiance mixes it in. `lying`: foam that
+// lies on the water, [0, 1].
+SHADER Real foamPart(Real3 relative, Real distance, Real2 slope, Real missingSlope, Real height,
+                     Real lying) {
+  Real3 toViewer = -relative / distance;
+  Real facing = inversesqrt(1.0f + dot(slope, slope)) *
+                (toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y);
+  Real footprint = 1.4f * pixelAngle * distance * inversesqrt(max(facing, 0.02f));
+  Real white = whitecaps(slope, missingSlope, height);
+  return foamOpacity(relative, footprint, white + lying * (1.0f - white));
+}
+
 // `cover`: foam that lies on the water, smoothed water, oil; each in [0, 1].
 SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real missingSlope,
                            Real height, Real3 cover) {

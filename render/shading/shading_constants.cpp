@@ -39,11 +39,11 @@ constexpr glm::vec3 oilReflectance(0.010f, 0.008f, 0.006f);
 constexpr double visibility = 28e3;  // m, at 2 % contrast
 
 void setCamera(ShadingConstants& c, const Camera& camera) {
-  const double halfHeight = std::tan(0.5 * camera.verticalFieldOfView);
   c.forward = glm::vec3(camera.forward());
-  c.right = glm::vec3(-camera.left() * (halfHeight * camera.aspectRatio()));
-  c.up = glm::vec3(camera.up() * halfHeight);
-  c.pixelAngle = static_cast<float>(2.0 * halfHeight / camera.size.y);
+  c.middleRay = glm::vec3(camera.middleRay());
+  c.right = glm::vec3(camera.rightHalf());
+  c.up = glm::vec3(camera.upperHalf());
+  c.pixelAngle = static_cast<float>(camera.pixelAngle());
   const ScreenProjection projection(camera);
   c.pixelRight = projection.right;
   c.pixelDown = projection.down;

@@ -14,7 +14,9 @@ class SkyDome;
 /// irradiance above the atmosphere is about 20.
 struct ShadingConstants {
   // camera
-  glm::vec3 forward{1.0f, 0.0f, 0.0f}, right{0.0f}, up{0.0f};  ///< right, up: half the image plane
+  glm::vec3 forward{1.0f, 0.0f, 0.0f};
+  /// Of the picture at 1 m: its middle, from there to its right and its upper edge.
+  glm::vec3 middleRay{1.0f, 0.0f, 0.0f}, right{0.0f}, up{0.0f};
   float pixelAngle = 0.0f;                                      ///< rad
   /// Pixel of a place p from the camera, (0, 0) the top left one's centre: (dot(p, pixelRight),
   /// dot(p, pixelDown)) / dot(p, forward) + pixelMiddle.

@@ -64,7 +64,7 @@ void ObjectTriangles::add(const SceneObject& object, const Camera& camera, const
     for (std::size_t i = 0; i + 2 < part.vertices.size(); i += 3) {
       glm::vec3 corners[3];
       for (int k = 0; k < 3; ++k) corners[k] = rotation * part.vertices[i + k] + position;
-      const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour};
+      const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
       if (!half) {
         add(corners, face, projection, false);
         continue;
@@ -89,7 +89,7 @@ void ObjectTriangles::add(const glm::vec3 (&corners)[3], const Face& face,
   if (count == 0) return;
   const float away = glm::dot(faceNormal(corners[0], corners[1], corners[2]), corners[0]);
   const bool seenFromInside = (mirrored ? -away : away) > 0.0f;
-  faces_.push_back({seenFromInside ? -face.normal : face.normal, face.colour});
+  faces_.push_back({seenFromInside ? -face.normal : face.normal, face.colour, face.instance});
   for (int k = 0; k < count; ++k) {
     projected[k].object = static_cast<std::uint32_t>(faces_.size());
     triangles_.push_back(projected[k]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,11 +44,17 @@ class ObjectTriangles {
   /// Strip::object, `inverse` as Strip::inverse.
   void fillSpan(const std::uint32_t* which, const float* inverse, PixelSpan& span) const;
 
+  /// SceneObject::instance of what Strip::object says; 0 of 0.
+  std::uint16_t instanceOf(std::uint32_t which) const {
+    return which == 0 ? std::uint16_t{0} : faces_[which - 1].instance;
+  }
+
   std::size_t memoryBytes() const;
 
  private:
   struct Face {
     glm::vec3 normal, colour;
+    std::uint16_t instance;
   };
   struct Half {
     WaterSide side;

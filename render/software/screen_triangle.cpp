@@ -6,12 +6,12 @@
 namespace seaway::render {
 
 ScreenProjection::ScreenProjection(const Camera& camera) {
-  const double perPixel =
-      std::tan(0.5 * camera.verticalFieldOfView) * 2.0 / camera.size.y;  // at 1 m
+  const glm::dvec2 pixel = camera.pixelExtent();
   forward = glm::vec3(camera.forward());
-  right = glm::vec3(-camera.left() / perPixel);
-  down = glm::vec3(-camera.up() / perPixel);
-  middle = 0.5f * glm::vec2(camera.size) - 0.5f;
+  right = glm::vec3(-camera.left() / pixel.x);
+  down = glm::vec3(-camera.up() / pixel.y);
+  const Intrinsics pinhole = camera.pinhole();
+  middle = glm::vec2(glm::dvec2(pinhole.cx, pinhole.cy));
   nearest = static_cast<float>(camera.nearDistance);
 }
 

@@ -180,9 +180,9 @@ namespace {
 
 MarchInput inputFor(const Camera& camera) {
   MarchInput input{};
-  const double perPixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
-  const glm::dvec2 middle = 0.5 * glm::dvec2(camera.size);
-  const glm::dvec3 right = -camera.left() * perPixel, down = -camera.up() * perPixel;
+  const Intrinsics pinhole = camera.pinhole();
+  const glm::dvec2 pixel = camera.pixelExtent(), middle(pinhole.cx + 0.5, pinhole.cy + 0.5);
+  const glm::dvec3 right = -camera.left() * pixel.x, down = -camera.up() * pixel.y;
   input.right = glm::vec3(right);
   input.down = glm::vec3(down);
   input.forward = glm::vec3(camera.forward() - middle.x * right - middle.y * down);

@@ -230,7 +230,6 @@ void SeaSlopes::fill(const SeaGrid& grid, const GridLayout& layout) {
 
 void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool cameraIsUnderWater,
                          PixelSpan& span) const {
-  const double pixelAngle = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
   const SpanInput input{inverse,
                         packed_.data(),
                         missing_,
@@ -242,7 +241,7 @@ void SeaSlopes::fillSpan(const float* inverse, const Camera& camera, bool camera
                         gridFromPlane_,
                         rings_,
                         static_cast<float>(camera.position.z),
-                        static_cast<float>(pixelAngle),
+                        static_cast<float>(camera.pixelAngle()),
                         cameraIsUnderWater};
   HWY_DYNAMIC_DISPATCH(FillSpan)(input, span);
 }

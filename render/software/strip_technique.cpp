@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -65,7 +66,7 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   const float upwards = 1.0f - (static_cast<float>(r.row) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
   span.rayStep = r.constants.right * perPixel.x;
-  span.firstRay = r.constants.forward + across * r.constants.right + upwards * r.constants.up;
+  span.firstRay = r.constants.middleRay + across * r.constants.right + upwards * r.constants.up;
   if (r.shown.water) {
     fillSeaSpan(r.view, sea, r.row, first, r.shown.cameraIsUnderWater, span);
   } else {
@@ -76,14 +77,35 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   if (shore_) shore_->fillSpan(span);
 }
 
+/// What labels tell of a span's pixels.
+void StripTechnique::storeLabels(const ShadedRow& r, const PixelSpan& span,
+                                 const std::uint32_t* which, std::size_t at, Frame& frame) const {
+  float white[pixelsPerSpan + 16];
+  foamParts(ShadingSources{r.constants}, span, white);
+  for (int i = 0; i < span.count; ++i) {
+    frame.foam[at + i] = static_cast<std::uint8_t>(255.0f * white[i] + 0.5f);
+    const bool isObject = r.shown.objects && span.kind[i] == ShadedAs::object;
+    frame.instances[at + i] = isObject ? objects_.instanceOf(which[i]) : std::uint16_t{0};
+  }
+}
+
 const std::uint32_t* StripTechnique::skyTexels(const ShadingConstants& constants) const {
   return constants.skyIsOn ? sky_->texels().data() : nullptr;
 }
 
-void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const {
-  shadeSpan(
-      ShadingSources{r.constants, skyTexels(r.constants), &local_.mirrored(), &local_.below()},
-      span, rgb);
+/// Colours of a span's pixels, and their radiance unless that is null.
+void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb,
+                            glm::vec3* radiance) const {
+  const ShadingSources sources{r.constants, skyTexels(r.constants), &local_.mirrored(),
+                               &local_.below()};
+  if (!radiance) {
+    shadeSpan(sources, span, rgb);
+    return;
+  }
+  glm::vec4 shaded[pixelsPerSpan + 16];
+  shadeSpan(sources, span, shaded);
+  for (int i = 0; i < span.count; ++i) radiance[i] = glm::vec3(shaded[i]);
+  mapTones({radiance, static_cast<std::size_t>(span.count)}, r.constants.exposure, rgb);
 }
 
 void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
@@ -96,8 +118,13 @@ void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
     const float* inverse = strip.inverse.data() + stripRow + first;
     fillSpan(r, first, inverse, strip.object.data() + stripRow + first, inverse, span);
     const std::size_t at = static_cast<std::size_t>(r.row) * width + first;
-    colour(r, span, frame.colour.rgb.data() + 3 * at);
+    colour(r, span, frame.colour.rgb.data() + 3 * at,
+           frame.radiance.empty() ? nullptr : &frame.radiance[at]);
     store(span, at, frame);
+    if (!frame.foam.empty()) {
+      storeLabels(r, span, r.shown.objects ? strip.object.data() + stripRow + first : nullptr, at,
+                  frame);
+    }
   }
   if (r.shown.objects) softenObjects(r, frame);
 }
@@ -127,9 +154,15 @@ void StripTechnique::softenObjects(const ShadedRow& r, Frame& frame) {
     if (span.count == 0) return;
     const int at = first - edges.left();
     fillSpan(r, first, row.sea + at, which, row.inverse + at, span);
-    colour(r, span, other);
+    glm::vec3 otherRadiance[pixelsPerSpan];
+    const bool hasRadiance = !frame.radiance.empty();
+    colour(r, span, other, hasRadiance ? otherRadiance : nullptr);
     const std::size_t pixel = static_cast<std::size_t>(r.row) * strip.width + first;
     std::fill_n(&isSoftened_[pixel], span.count, std::uint8_t{1});
+    for (int i = 0; hasRadiance && i < span.count; ++i) {
+      const float part = static_cast<float>(otherSamples(first + i)) / ObjectEdges::samples;
+      frame.radiance[pixel + i] = glm::mix(frame.radiance[pixel + i], otherRadiance[i], part);
+    }
     std::uint8_t* rgb = &frame.colour.rgb[3 * pixel];
     for (int i = 0; i < 3 * span.count; ++i) {
       const int weight = otherSamples(first + i / 3);
@@ -146,14 +179,15 @@ void StripTechnique::shade(const View& view, const Shown& shown, const Lighting&
   ShadingConstants constants = shadingConstants(view, lighting);
   local_.fill(view, shown, constants, skyTexels(constants));
   local_.setConstants(constants);
+  frame.exposure = constants.exposure;
   tbb::parallel_for(0, view.camera.size.y, [&](int row) {
     shadeRow({view, constants, shown, row}, frame);
   });
 }
 
 void StripTechnique::drawInto(const View& view, Frame& frame) {
-  validate(view.camera);
-  prepare(frame, view.camera.size, view.wantsNormals);
+  validatePlain(view);
+  prepare(frame, view.camera.size, view.contents());
   FrameStats& stats = frame.stats;
   stats.technique = name();
   stats.backend = "none";

@@ -50,7 +50,10 @@ class StripTechnique : public RenderTechnique {
   void fillSpan(const ShadedRow& r, int first, const float* sea, const std::uint32_t* which,
                 const float* objects, PixelSpan& span) const;
   const std::uint32_t* skyTexels(const ShadingConstants& constants) const;
-  void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb) const;
+  void colour(const ShadedRow& r, const PixelSpan& span, std::uint8_t* rgb,
+              glm::vec3* radiance) const;
+  void storeLabels(const ShadedRow& r, const PixelSpan& span, const std::uint32_t* which,
+                   std::size_t at, Frame& frame) const;
 
   ObjectTriangles objects_;
   std::vector<Strip> strips_;

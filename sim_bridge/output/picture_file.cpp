@@ -94,7 +94,7 @@ void requireWritablePicture(const std::filesystem::path& path) {
 
 void requireWritableExr(const std::filesystem::path& path) {
   requireEnding(path, ".exr",
-                "'" + path.string() + "' is not allowed; depth and normals are OpenEXR");
+                "'" + path.string() + "' is not allowed; depth, normals and radiance are OpenEXR");
 }
 
 void writeDepth(const std::filesystem::path& path, const render::Frame& frame) {
@@ -107,6 +107,21 @@ void writeNormals(const std::filesystem::path& path, const render::Frame& frame)
   writeWhole(path, [&](const std::filesystem::path& beside) {
     render::writeNormalsExr(beside, frame.depth.size, frame.normals);
   });
+}
+
+void writeRadiance(const std::filesystem::path& path, const render::Frame& frame, bool withDepth) {
+  writeWhole(path, [&](const std::filesystem::path& beside) {
+    render::writeRadianceExr(beside, frame.depth.size, frame.radiance,
+                             withDepth ? &frame.depth.metres : nullptr);
+  });
+}
+
+void writeLabels(const std::filesystem::path& path, glm::ivec2 size,
+                 const std::vector<std::uint16_t>& labels) {
+  std::filesystem::path beside = path;
+  beside += render::partialPngSuffix;
+  const UnfinishedFile unfinished(beside);
+  render::writeGreyPng(path, size, labels);
 }
 
 void writePicture(const std::filesystem::path& path, const render::ColourImage& image) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <vector>
 
 #include "render/frame.h"
 
@@ -20,6 +22,13 @@ void requireWritableExr(const std::filesystem::path& path);
 /// with normals.
 void writeDepth(const std::filesystem::path& path, const render::Frame& frame);
 void writeNormals(const std::filesystem::path& path, const render::Frame& frame);
+
+/// Linear radiance likewise, with depth in the same file if asked; needs a frame drawn with radiance.
+void writeRadiance(const std::filesystem::path& path, const render::Frame& frame, bool withDepth);
+/// Numbers of pixels as a grey PNG (render::writeGreyPng), leaving nothing behind when a signal ends the
+/// program.
+void writeLabels(const std::filesystem::path& path, glm::ivec2 size,
+                 const std::vector<std::uint16_t>& labels);
 
 /// Throws std::runtime_error where the machine, the process's limits or its control group leave too
 /// little memory to draw a picture of `size` pixels: 160 MB and 64 bytes a pixel (measured in

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "render/camera.h"
 #include "sim_bridge/scene/place.h"
 #include "sim_bridge/scene/scene_events.h"
 #include "sim_bridge/scene/sea_state_file.h"
@@ -117,6 +118,12 @@ struct CameraPlace {
   double height = 2.0;  ///< m above the still-water level
 };
 
+/// A camera's pinhole, for pictures of `size` pixels; others show the same, each axis scaled.
+struct SceneIntrinsics {
+  render::Intrinsics pixels;
+  glm::ivec2 size{0};
+};
+
 struct SceneCamera {
   std::string name;
   std::string mount;                 ///< vessel; empty for a fixed camera
@@ -126,7 +133,9 @@ struct SceneCamera {
   double yaw_deg = 0.0;           ///< clockwise from the mount's bow, or from true north if fixed
   double pitch_deg = 0.0;         ///< up
   double roll_deg = 0.0;          ///< right side down
-  double fieldOfView_deg = 60.0;  ///< vertical
+  double fieldOfView_deg = 60.0;  ///< vertical; not looked at where there are intrinsics
+  std::optional<SceneIntrinsics> intrinsics;
+  std::optional<render::Distortion> distortion;
 };
 
 struct Sun {

@@ -1,3 +1,4 @@
+#include "sim_bridge/scene/scene_camera_schema.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/schema_fields.h"
 #include "sim_bridge/scene/sea_state_schema.h"
@@ -65,34 +66,6 @@ Mapping<SceneVessel> vesselSchema() {
              "rate of turn, positive to starboard"),
       list("waypoints", &V::waypoints, placeSchema(),
            "where a free vessel, and any under `seaway sail`, steers by its rudder"),
-  });
-}
-
-Mapping<SceneCamera> cameraSchema() {
-  using C = SceneCamera;
-  using P = CameraPlace;
-  const Mapping<P> place({
-      number("latitude_deg", &P::latitude_deg, "°", latitudes, "WGS84", Need::required),
-      number("longitude_deg", &P::longitude_deg, "°", longitudes, "WGS84", Need::required),
-      number("height_m", &P::height, "m", Range::within(-1000.0, 10000.0),
-             "above the still-water level"),
-  });
-  return Mapping<C>({
-      name("name", &C::name, "unique among cameras"),
-      text("mount", &C::mount,
-           "vessel that carries the camera; a fixed camera has `place` instead"),
-      choice(
-          "stabilised", &C::stabilised, {{"true", true}, {"false", false}},
-          "carried along by the vessel's place and heading, but not heaving, rolling or pitching"),
-      vector("position_m", &C::position, "m", Range::within(-1000.0, 1000.0),
-             "on the mount: forward, to port, above its waterline at rest"),
-      mapping("place", &C::place, place, "of a fixed camera"),
-      number("yaw_deg", &C::yaw_deg, "°", compass,
-             "clockwise from the mount's bow; from true north for a fixed camera"),
-      number("pitch_deg", &C::pitch_deg, "°", Range::within(-90.0, 90.0), "positive up"),
-      number("roll_deg", &C::roll_deg, "°", compass, "positive right side down"),
-      number("fov_deg", &C::fieldOfView_deg, "°", Range::within(1.0, 170.0),
-             "vertical field of view"),
   });
 }
 
