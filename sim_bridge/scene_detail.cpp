@@ -240,6 +240,15 @@ void SceneDetail::advance(double t, std::span<const Vessel> vessels, EffectLedge
   if (ledger) report(t, ledger);
 }
 
+bool SceneDetail::mayRipple(glm::dvec2 place, double radius) const {
+  return std::any_of(pools_.begin(), pools_.end(), [&](const RipplePool& pool) {
+    const RippleSource& source = pool.source();
+    const glm::dvec2 current = sea_->surface.waves().settings().current;
+    const double drift = glm::length(current) * (source.end() - source.time);
+    return glm::distance(place, source.place) < radius + source.side + drift;
+  });
+}
+
 SceneDetail::Span SceneDetail::span() const {
   const auto about = [&](double step) {
     const double index = std::floor(time_ / step);

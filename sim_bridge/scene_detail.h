@@ -47,6 +47,9 @@ class SceneDetail {
   /// Whether there can ever be anything.
   bool canShow() const { return !trails_.empty() || !patches_.empty() || !pools_.empty(); }
 
+  /// Whether ripples may ever move the water within `radius` m of a place.
+  bool mayRipple(glm::dvec2 place, double radius) const;
+
   /// Vessels that are not on their courses from now on, by their place in the scene: they leave no
   /// trails there. For those who give `advance` no vessels.
   void setAway(std::vector<bool> vessels) { away_ = std::move(vessels); }

@@ -15,7 +15,7 @@ namespace seaway::bridge {
 namespace {
 
 constexpr int largest = 4096;
-constexpr double longestWait = 1.0;  // s, for wakes and what lies on the water
+constexpr double longestWait = 5.0;  // s, for wakes and what lies on the water
 
 void requireDrawable(const FrameRequest& request) {
   if (!(std::abs(request.t) <= WaveField::latest)) {

@@ -30,7 +30,7 @@ struct FrameRequest {
 
 /// Pictures of a served sea as `seaway render` draws them: the surface that queries ask, hosts'
 /// hulls, the scene's own. Thread-safe; one picture at a time, drawn on a thread of its own, which
-/// may wait up to a second for the wakes at the picture's time.
+/// may wait up to five seconds for the wakes, and what lies on the water, at the picture's time.
 class FrameMaker {
  public:
   /// `backend` as in render::TechniqueChoice. `sea` must outlive the maker. Throws InputError for a

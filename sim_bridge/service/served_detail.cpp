@@ -1,5 +1,6 @@
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -21,7 +22,8 @@ constexpr double near = 0.5;
 }  // namespace
 
 // Under noting_.
-SampleStatus ServedSea::attendDetail(double t, std::chrono::steady_clock::time_point now) {
+SampleStatus ServedSea::attendDetail(double t, std::span<const WakeListener> listeners,
+                                     std::chrono::steady_clock::time_point now) {
   if (!noted_->detail.canShow() || !WaveField::serves({}, t)) return SampleStatus::ok;
   DetailAsked& asked = detailAsked_;
   if (t >= asked.time || now - asked.heard > WakeAttention::patience) {
@@ -34,7 +36,11 @@ SampleStatus ServedSea::attendDetail(double t, std::chrono::steady_clock::time_p
   }
   const bool there =
       asked.brought && t > asked.brought->from - near && t < asked.brought->to + near;
-  return there ? SampleStatus::ok : SampleStatus::wakeOutOfTime;
+  const auto isNear = [&](const WakeListener& listener) {
+    return noted_->detail.mayRipple(listener.position, listener.radius);
+  };
+  const bool told = !there && std::any_of(listeners.begin(), listeners.end(), isNear);
+  return told ? SampleStatus::wakeOutOfTime : SampleStatus::ok;
 }
 
 void ServedSea::setDetail(std::shared_ptr<const SurfaceDetail> detail, const ServedScene& of) {

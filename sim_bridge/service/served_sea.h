@@ -101,8 +101,8 @@ class ServedSea {
 
   /// Who asks, and when: returns at once, and the sea's thread brings the wakes there. The status,
   /// which belongs to that of each answer, says `wakeOutOfTime` where wakes are near a listener and
-  /// are not there at `t` now, and where what lies on the water is that of a time more than half a
-  /// second away.
+  /// are not there at `t` now, and for listeners near ripples that are those of a time more than
+  /// half a second away.
   SampleStatus attend(double t, std::span<const WakeListener> listeners);
   /// The time that was asked for last, s; 0 before any.
   double lastTime() const { return lastTime_; }
@@ -124,7 +124,8 @@ class ServedSea {
   void publish();
   void keepWakes(const std::stop_token& stop);
   void bringWakes(std::unique_ptr<WakeKeeper>& keeper, std::unique_lock<std::mutex>& lock);
-  SampleStatus attendDetail(double t, std::chrono::steady_clock::time_point now);
+  SampleStatus attendDetail(double t, std::span<const WakeListener> listeners,
+                            std::chrono::steady_clock::time_point now);
   void keepDetail(const std::stop_token& stop);
   void setDetail(std::shared_ptr<const SurfaceDetail> detail, const ServedScene& of);
   void setFeed(std::shared_ptr<const DisturbanceFeed> feed, const ServedScene& of);

@@ -60,7 +60,7 @@ SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners
   lastTime_.store(t, std::memory_order_relaxed);
   const auto now = WakeAttention::Clock::now();
   const std::lock_guard lock(noting_);
-  const SampleStatus detail = attendDetail(t, now);
+  const SampleStatus detail = attendDetail(t, listeners, now);
   if (!noted_->wakesAllowed) return detail;
   bool brought = true;
   for (const WakeListener& listener : listeners) {

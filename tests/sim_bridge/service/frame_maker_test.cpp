@@ -23,6 +23,7 @@ std::size_t pixelsOf(const render::Frame& frame, render::PixelClass kind) {
 void expectThePictureOfTheRenderCommand(const std::string& more) {
   ServedWaters served(test::pilotScene(more));
   FrameMaker frames(served.sea);
+  served.bringWakes(4.0, {0.0, 0.0});  // however busy the machine
   const auto drawn = frames.draw({.camera = "mast", .t = 4.0});
   const Sea sea = buildSea(served.scene);
   const Simulation simulation = Simulation::replayed(served.scene, sea, 4.0);
@@ -47,6 +48,7 @@ TEST(FrameMaker, ShowsTrailsOilAndRipplesAsTheRenderCommandDoes) {
   ServedWaters with(test::pilotScene(test::oilAndRipples));
   ServedWaters without(test::pilotScene("effects: {wake: off, trail: off}\n"));
   FrameMaker frames(with.sea), bare(without.sea);
+  with.bringWakes(4.0, {0.0, 0.0});
   const FrameRequest mast{.camera = "mast", .t = 4.0};
   EXPECT_NE(frames.draw(mast)->colour.rgb, bare.draw(mast)->colour.rgb);
 }
