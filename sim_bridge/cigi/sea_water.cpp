@@ -42,6 +42,23 @@ std::string cameraName(std::uint32_t host, std::uint16_t view) {
   return "cigi:" + std::to_string(host) + ":" + std::to_string(view);
 }
 
+/// The window of a view whose middle the eye does not look at, in a picture of any size: what
+/// counts are its edges.
+SceneIntrinsics windowOf(const HostView& view) {
+  const glm::ivec2 size(1024);
+  const double left = std::tan(radiansFromDegrees(view.left_deg));
+  const double right = std::tan(radiansFromDegrees(view.right_deg));
+  const double bottom = std::tan(radiansFromDegrees(view.bottom_deg));
+  const double top = std::tan(radiansFromDegrees(view.top_deg));
+  render::Intrinsics pixels;
+  pixels.fx = size.x / (right - left);
+  pixels.fy = size.y / (top - bottom);
+  // The picture begins half a pixel before the middle of its first.
+  pixels.cx = -0.5 - pixels.fx * left;
+  pixels.cy = -0.5 + pixels.fy * top;
+  return {pixels, size};
+}
+
 }  // namespace
 
 SeaWater::SeaWater(ServedSea& sea, FrameMaker* frames)
@@ -220,9 +237,6 @@ void SeaWater::setCameras(std::uint32_t host) {
       frames_->setCamera(name, std::nullopt);
       continue;
     }
-    if (!view.isCentred() && !std::exchange(warnedOfView_, true)) {
-      spdlog::warn("CIGI: a view's window that is not centred is drawn centred");
-    }
     SceneCamera camera;
     camera.name = name;
     camera.mount = scene->vessels[view.entity].name;
@@ -231,6 +245,7 @@ void SeaWater::setCameras(std::uint32_t host) {
     camera.pitch_deg = view.pitch_deg;
     camera.roll_deg = view.roll_deg;
     camera.fieldOfView_deg = view.top_deg - view.bottom_deg;
+    if (!view.isCentred()) camera.intrinsics = windowOf(view);
     frames_->setCamera(name, camera, hull == hulls_.end() ? 0 : hull->second);
   }
 }

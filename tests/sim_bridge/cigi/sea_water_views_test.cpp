@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim_bridge/cigi/sea_water.h"
 #include "surface/input_error.h"
@@ -49,6 +50,55 @@ TEST(CigiSeaWaterViews, EachHostsViewStandsOnItsOwnHull) {
   };
   EXPECT_GT(objectsOf("cigi:1:3"), 20u);
   EXPECT_EQ(objectsOf("cigi:2:3"), 0u);
+}
+
+TEST(CigiSeaWaterViews, AWindowThatIsNotCentredShowsThingsWhereItsEdgesPutThem) {
+  Viewed viewed;
+  const HostEntity towards = viewed.ship({40.0, -60.0}, 0.0);  // the buoy lies ahead
+  viewed.water.entitiesAt(1, 0.0, std::span(&towards, 1));
+  const auto define = [&](std::uint16_t view, float left, float right) {
+    viewed.water.viewAsked(1, {.view = view,
+                               .xEnabled = true,
+                               .zEnabled = true,
+                               .entity = 0,
+                               .x = 9.0f,
+                               .z = -4.0f});
+    viewed.water.viewDefined(1, {.view = view,
+                                 .leftEnabled = true,
+                                 .rightEnabled = true,
+                                 .topEnabled = true,
+                                 .bottomEnabled = true,
+                                 .left = left,
+                                 .right = right,
+                                 .top = 15.0f,
+                                 .bottom = -15.0f});
+  };
+  // Mean column of the buoy, above the hull at the lower rim.
+  const auto columnOf = [&](std::uint16_t view) {
+    const auto frame = viewed.frames.draw(
+        {.camera = "cigi:1:" + std::to_string(view), .t = 0.0, .size = {160, 120}});
+    double columns = 0.0, count = 0.0;
+    for (int y = 40; y < 80; ++y) {
+      for (int x = 0; x < 160; ++x) {
+        if (frame->classes[static_cast<std::size_t>(y * 160 + x)] != render::PixelClass::object)
+          continue;
+        columns += x;
+        count += 1.0;
+      }
+    }
+    EXPECT_GT(count, 10.0);
+    return columns / count;
+  };
+  const auto tangent = [](double degrees) { return std::tan(degrees * std::acos(-1.0) / 180.0); };
+  define(4, -10.0f, 20.0f);
+  define(5, -20.0f, 10.0f);
+  const double first = columnOf(4), second = columnOf(5);
+  // Both have the same ray there, by their own edges; pixels are a hundredth of a radian and less.
+  const auto rayOf = [&](double column, double left, double right) {
+    return tangent(left) + (column + 0.5) / 160.0 * (tangent(right) - tangent(left));
+  };
+  EXPECT_NEAR(rayOf(first, -10.0, 20.0), rayOf(second, -20.0, 10.0), 0.004);
+  EXPECT_GT(second, first + 40.0);
 }
 
 TEST(CigiSeaWaterViews, AreGoneWithTheirHost) {
