@@ -111,7 +111,8 @@ void writeTable(const Tuning& tuning, std::ostream& out) {
   }
   if (tuning.grid) line("accuracy.grid", fmt::format("[{}, {}]", tuning.grid->x, tuning.grid->y));
   if (tuning.wakeCell) line("accuracy.wakes.cell_m", fmt::format("{:g}", *tuning.wakeCell));
-  for (const auto& [key, value] : performanceJson(tuning.foreseen).items()) {
+  const Json foreseen = performanceJson(tuning.foreseen);
+  for (const auto& [key, value] : foreseen.items()) {
     line(("foreseen " + key).c_str(), fmt::format("{:.4g}", value.get<double>()));
   }
 }
