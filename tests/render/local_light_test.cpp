@@ -64,7 +64,7 @@ struct Stage {
     lighting.sunDirection = sunDirectionOf(seen);
     lighting.sunIsOn = true;
     LocalLight local;
-    local.fill(seen, {.water = true, .objects = true}, {shadingConstants(seen, lighting)});
+    local.fill(seen, {.water = true, .objects = true}, {shadingConstants(seen, lighting)}, {});
     return local;
   }
 };

@@ -255,7 +255,7 @@ TEST(UnderWaterHard, ThingsThatCrossTheSurfaceAndEyesInsideThemDrawNumbers) {
         const View view = stage.view(effects);
         LocalLight local;
         local.fill(view, {.water = true, .cameraIsUnderWater = true, .anyUnderWater = true},
-                   {shadingConstants(view, {})});
+                   {shadingConstants(view, {})}, {});
         for (const LocalImage* image : {&local.window(), &local.depths()}) {
           for (const glm::vec4& t : image->texels) {
             ASSERT_TRUE(std::isfinite(t.x + t.y + t.z + t.w)) << height << ' ' << pitch;
