@@ -77,7 +77,7 @@ void setLight(ShadingConstants& c, const Lighting& lighting) {
   // does not follow all the way.
   const glm::vec3 light =
       c.skyLight + 0.25f * c.sunLight * std::max(c.sunDirection.z, 0.0f) / floatPi;
-  c.exposure = 0.46f / (glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) + 0.005f);
+  c.exposure = 0.46f / (glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) + 0.03f);
 }
 
 void setTerms(ShadingConstants& c, const View& view) {
