@@ -35,7 +35,8 @@ TEST(SceneGenerator, TheSameSeedGivesTheSameScene) {
 TEST(SceneGenerator, TriesEveryKeyOfScenesThatHasAnExample) {
   std::map<std::string, int> given;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    for (const auto& [key, value] : SceneGenerator(seed, examples()).scene().items()) ++given[key];
+    const Json scene = SceneGenerator(seed, examples()).scene();
+    for (const auto& [key, value] : scene.items()) ++given[key];
   }
   for (const KeyDescription& key : sceneSchema().describe()) {
     if (!key.children.empty() || key.range) {
