@@ -77,7 +77,16 @@ void setLight(ShadingConstants& c, const Lighting& lighting) {
   // does not follow all the way.
   const glm::vec3 light =
       c.skyLight + 0.25f * c.sunLight * std::max(c.sunDirection.z, 0.0f) / floatPi;
-  c.exposure = 0.46f / (glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) + 0.03f);
+  const float luminance = glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+  const float unfollowed = 0.03f * std::min(std::pow(luminance / 0.008f, 0.6f), 1.0f);
+  c.exposure = 0.46f / (luminance + unfollowed + 1e-4f);
+}
+
+/// Mean density of haze between the sea and a height, m, of that at the sea: it falls to 1/e in
+/// 1200 m (Preetham, Shirley & Smits 1999, 0.8333 km⁻¹).
+double hazeBelow(double height) {
+  const double depths = std::max(height, 0.0) / 1200.0;
+  return depths > 1e-6 ? -std::expm1(-depths) / depths : 1.0;
 }
 
 void setTerms(ShadingConstants& c, const View& view) {
@@ -86,7 +95,8 @@ void setTerms(ShadingConstants& c, const View& view) {
   c.extinctionIsLinear = terms.extinction == Extinction::linear;
   c.backFacesAreTilted = terms.backFaces == BackFaces::tilt;
   // At the visibility 2 % of the contrast are left (Koschmieder).
-  c.airExtinction = static_cast<float>(-std::log(0.02) / view.light.visibility);
+  const double atSea = -std::log(0.02) / view.light.visibility;
+  c.airExtinction = static_cast<float>(atSea * hazeBelow(view.camera.position.z));
 }
 
 void setRipples(ShadingConstants& c, const View& view) {

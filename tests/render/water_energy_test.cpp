@@ -123,10 +123,11 @@ TEST(WaterEnergy, SmoothWaterReflectsByFresnelToAByteOnBothSides) {
   }
   // From below: the mirror shows the water itself, the window a black sky.
   water.sky = test::evenSky(0.0f);
-  water.constants.veil = glm::vec3(1.0f);
+  water.constants.eyeVeil = glm::vec3(1.0f);
   for (double angle = 0.0; angle < 90.0; angle += 0.125) {
     const double cosine = std::cos(radiansFromDegrees(angle));
-    const double below = water.radiance(angle, ShadedAs::underside).g -
+    // Less light comes from deeper down (waterLight).
+    const double below = water.radiance(angle, ShadedAs::underside).g * std::exp(0.9 * cosine) -
                          fresnelReflectance(cosine, 1.0 / seaWaterIndex);
     // Near the critical angle reflectance rises by 0.4 in the last 0.01°: floats of a cosine.
     const double edge = std::abs(angle - 48.268);

@@ -21,7 +21,7 @@ const std::vector<Rule> rules = {
     {"ceres/", {"surface/fit/"}},
     {"GeographicLib/", {"surface/geodesy."}},
     {"openvdb/", {"surface/disturbance/layers/", "surface/hull/hull_repair.cpp"}},
-    {"assimp/", {"surface/hull/hull_file.cpp"}},
+    {"assimp/", {"surface/hull/hull_file.cpp", "surface/hull/coloured_mesh.cpp"}},
     {"mujoco/", {"sim_bridge/mujoco/"}},
     {"fftw", {"surface/fft/", "sim_bridge/cost/rivals/"}},
     {"glad/", {"render/"}},
