@@ -16,7 +16,6 @@ struct Kind {
 constexpr Kind kinds[] = {
     {ObjectKind::vessel, "a vessel is in the camera's view", "no vessel in view"},
     {ObjectKind::scenery, "scenery is in the camera's view", "no scenery in view"},
-    {ObjectKind::terrain, "terrain is in the camera's view", "no terrain in view"},
 };
 
 }  // namespace

@@ -42,7 +42,8 @@ TEST(CommandLine, ExplainTellsEveryEffectAsJson) {
     EXPECT_TRUE(effect["cost_us"].is_number());
     EXPECT_TRUE(effect["cost_per"] == "step" || effect["cost_per"] == "frame");
     const bool isInside = effect["name"] == "sun" || effect["name"] == "foam" ||
-                          effect["name"] == "reflection" || effect["name"] == "refraction";
+                          effect["name"] == "reflection" || effect["name"] == "refraction" ||
+                          effect["name"] == "haze";
     EXPECT_EQ(effect.contains("cost_inside"), isInside) << effect["name"];
     EXPECT_TRUE(effect["state"] == "on" || effect["state"] == "idle" || effect["state"] == "off");
   }
