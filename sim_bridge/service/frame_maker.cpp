@@ -139,10 +139,14 @@ FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
   const Scene& scene = moment.scene->scene;
   const auto [camera, mount] = cameraOf(request, scene);
   const glm::ivec2 size = request.size == glm::ivec2(0) ? scene.run.size : request.size;
-  std::stable_partition(
-      moment.hulls.begin(), moment.hulls.end(),
-      [on = mount](const ServedHull& each) { return on != 0 && each.hull == on; });
-  std::vector<PlacedVessel> vessels(moment.hulls.begin(), moment.hulls.end());
+  std::vector<PlacedVessel> vessels;
+  const auto takeVessels = [&, on = mount] {
+    std::stable_partition(
+        moment.hulls.begin(), moment.hulls.end(),
+        [on](const ServedHull& each) { return on != 0 && each.hull == on; });
+    vessels.assign(moment.hulls.begin(), moment.hulls.end());
+  };
+  takeVessels();
   const auto seen = [&] {
     return SceneMoment{request.t, moment.surface.get(), &sea_.geodesy(), vessels};
   };
@@ -150,7 +154,12 @@ FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
   const WakeListener eye{glm::dvec2(placed.position), cameraReach, 0};
   sea_.attend(request.t, std::span(&eye, 1));
   sea_.awaitWakes(longestWait);
-  moment.surface = sea_.surface();
+  // Vessels float on what has come meanwhile.
+  ServedMoment whole = sea_.moment(request.t);
+  if (whole.scene == moment.scene) {
+    moment = std::move(whole);
+    takeVessels();
+  }
   EffectLedger ledger(scene.effects);
   auto frame = std::make_shared<render::Frame>();
   render::View view = scenery_->view.view(seen(), camera, size, ledger);

@@ -265,7 +265,7 @@ TEST(Night, TheMoonsDiscIsLitByItsPhase) {
     return lit / (100.0 * 100.0);
   };
   // Brighter than the glare about a full moon; a crescent has little.
-  const double full = litPart(0.5, 235), half = litPart(0.25, 150), crescent = litPart(0.1, 150);
+  const double full = litPart(0.5, 235), half = litPart(0.25, 200), crescent = litPart(0.1, 150);
   std::printf("lit parts of the disc: %.3f, %.3f, %.3f\n", full, half / full, crescent / full);
   EXPECT_NEAR(half / full, 0.5, 0.08);
   // (1 − cos 36°)/2; its limb is faint.

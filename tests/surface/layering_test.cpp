@@ -26,7 +26,7 @@ const std::vector<Rule> rules = {
     {"fftw", {"surface/fft/", "sim_bridge/cost/rivals/"}},
     {"glad/", {"render/"}},
     {"GL/", {"render/"}},
-    {"png.h", {"render/png.cpp"}},
+    {"png.h", {"render/png.cpp", "sim_bridge/scene/png_heights.cpp"}},
     {"OpenEXR/", {"render/exr.cpp"}},
     {"yaml-cpp/", {"sim_bridge/"}},
     {"CLI/", {"sim_bridge/"}},

@@ -75,10 +75,10 @@ TEST(HardCatalogueHard, MistakesInItAreNamedWithTheirLine) {
 
 TEST(HardCatalogue, AFailingCaseSaysWhatFailed) {
   HardCase wrong;
-  wrong.arguments = {"schema"};
+  wrong.arguments = {"hull", "wigley:10,1,0.625,0.4", "--json"};
   wrong.expectation = {Expected::refuses, "", false};
   EXPECT_NE(tryCase(wrong, SEAWAY_COMMAND, {}).find("status 0"), std::string::npos);
-  wrong.expectation = {Expected::works, "sea.anchor", false};
+  wrong.expectation = {Expected::works, "volume", false};
   EXPECT_EQ(tryCase(wrong, SEAWAY_COMMAND, {}), "");
 }
 

@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 
 std::vector<std::filesystem::path> examples() {
   const std::filesystem::path scenes = SEAWAY_SOURCE_DIR "/configs/scenes";
-  return {scenes / "canaveral.yaml", scenes / "measured.yaml", scenes / "voyage.yaml"};
+  return {scenes / "canaveral.yaml", scenes / "measured.yaml", scenes / "voyage.yaml",
+          scenes / "harbour.yaml", scenes / "island.yaml"};
 }
 
 bool loads(const Json& scene) {
