@@ -46,6 +46,25 @@ bool isOfPictures(const Study& study) {
   return study.name.starts_with("image_") && study.unitError != "1";
 }
 
+bool isByTechnique(const Study& study) { return study.name.ends_with("_technique"); }
+
+/// A line a technique, whose name begins its settings.
+void addTechniques(const Study& study, HtmlPage& page) {
+  Plot plot;
+  plot.title = study.name;
+  plot.x = {"cost, " + study.unitCost, true};
+  plot.y = {"error, " + study.unitError, true};
+  for (const CostPoint& point : study.points) {
+    const std::string technique = point.setting.substr(0, point.setting.find(' '));
+    if (plot.curves.empty() || plot.curves.back().label != technique) {
+      plot.curves.push_back({technique, {}, {}});
+    }
+    plot.curves.back().x.push_back(onLogarithm(point.cost));
+    plot.curves.back().y.push_back(onLogarithm(point.error));
+  }
+  page.figure(svgOf(plot), "Error against cost, a line a technique.");
+}
+
 void addStudy(const Study& study, HtmlPage& page) {
   page.heading(study.name);
   page.paragraph(study.summary);
@@ -55,6 +74,7 @@ void addStudy(const Study& study, HtmlPage& page) {
                     fmt::format("{:.4g} ± {:.2g}", point.cost, point.spread)});
   }
   page.table({"setting", "error, " + study.unitError, "cost, " + study.unitCost}, rows);
+  if (isByTechnique(study)) addTechniques(study, page);
   // Pictures are drawn together; settings without a number are no steps of a dial.
   if (isOfPictures(study) || study.points.back().dial == 0.0) return;
   Plot plot;
@@ -73,7 +93,7 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
   byCost.title = "error against cost";
   for (Plot* plot : {&byGrid, &byCost}) plot->y = {"error, px or m", true};
   for (const Study& study : studies) {
-    if (!isOfPictures(study)) continue;
+    if (!isOfPictures(study) || isByTechnique(study)) continue;
     const std::string label = study.name + ", " + study.unitError;
     byCost.x = {"cost, " + study.unitCost, true};
     addCurves(study, label, dialOf, byGrid);
