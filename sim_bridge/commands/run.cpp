@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -136,7 +137,8 @@ Performance achievedBy(const Simulation& simulation, const std::string& backend,
   }
   if (foreseen.frame) {
     achieved.frame =
-        mean("draw", static_cast<double>(summary.frames) * static_cast<double>(scene.cameras.size()));
+        mean("draw", static_cast<double>(summary.framesDrawn) *
+                         static_cast<double>(scene.cameras.size()));
   }
   if (foreseen.position && achieved.frame) {
     achieved.position = measurePosition(scene, simulation, backend);
@@ -166,20 +168,20 @@ class Checkpoints {
     if (!path_.empty()) next_ = nextAfter(start);
   }
 
-  void stepped(const Simulation& simulation, long long frames) {
+  void stepped(const Simulation& simulation) {
     if (simulation.time() < next_ * (1.0 - 1e-12)) return;
-    write(simulation, frames);
+    write(simulation);
     next_ = nextAfter(simulation.time());
   }
 
-  void finish(const Simulation& simulation, long long frames) const {
-    if (!path_.empty()) write(simulation, frames);
+  void finish(const Simulation& simulation) const {
+    if (!path_.empty()) write(simulation);
   }
 
  private:
   double nextAfter(double t) const { return interval_ * (std::floor(t / interval_ + 1e-9) + 1.0); }
-  void write(const Simulation& simulation, long long frames) const {
-    writeCheckpoint(path_, scene_, {simulation.time(), frames, simulation.state()});
+  void write(const Simulation& simulation) const {
+    writeCheckpoint(path_, scene_, {simulation.time(), simulation.state()});
   }
 
   std::filesystem::path path_;
@@ -199,16 +201,20 @@ void sailAndDraw(const Scene& scene, const RunOptions& options, const Sea& sea,
   Cameras cameras(scene, options, folder, summary);
   const long long frames = frameCount(scene);
   Progress progress("steps", static_cast<std::size_t>(scene.run.duration / scene.run.step));
-  for (long long frame = from ? from->frames : 0; frame < frames; ++frame) {
+  // Those before a checkpoint were drawn before it was written.
+  const double start = from ? from->time * scene.run.framesPerSecond : 0.0;
+  const long long first = std::min(frames, static_cast<long long>(std::ceil(start - 1e-9)));
+  summary.framesDrawn = frames - first;
+  for (long long frame = first; frame < frames; ++frame) {
     const double t = static_cast<double>(frame) / scene.run.framesPerSecond;
     sail(simulation, t, telemetry, summary, progress,
-         [&] { checkpoints.stepped(simulation, frame); });
+         [&] { checkpoints.stepped(simulation); });
     cameras.draw(simulation.movedTo(std::max(t, simulation.time())), frame);
     progress.update(static_cast<std::size_t>(summary.steps));
   }
   sail(simulation, scene.run.duration, telemetry, summary, progress,
-       [&] { checkpoints.stepped(simulation, frames); });
-  checkpoints.finish(simulation, frames);
+       [&] { checkpoints.stepped(simulation); });
+  checkpoints.finish(simulation);
   telemetry.commit();
   cameras.finish();
   summary.frames = frames;
@@ -224,8 +230,8 @@ void writeReport(const Scene& scene, const RunSummary& summary, const std::strin
   out << fmt::format(
       "{}: {} s in {:.1f} s (real-time factor {:.2f}), {} frames of {} cameras\n"
       "H_m0 asked {:.3f} m, realised {:.3f} m\n",
-      folder.path().string(), scene.run.duration, summary.wallSeconds,
-      scene.run.duration / summary.wallSeconds, summary.frames, scene.cameras.size(),
+      folder.path().string(), summary.simulated(scene), summary.wallSeconds,
+      summary.simulated(scene) / summary.wallSeconds, summary.framesDrawn, scene.cameras.size(),
       summary.hm0Asked, summary.hm0Realised);
   const auto foreseen = performanceJson(scene.tuned), achieved = performanceJson(summary.achieved);
   for (const auto& [key, value] : foreseen.items()) {
@@ -245,10 +251,6 @@ void requireCheckpointOptions(const RunOptions& options) {
   }
   if (!options.checkpoint.empty()) requireWritableFile(options.checkpoint);
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether what is asked for can be drawn and written, before any work.
 void requireOutputs(const RunOptions& options, const Scene& scene, long long frames) {
@@ -275,6 +277,12 @@ int runRun(const RunOptions& options, std::ostream& out) {
   RunSummary summary;
   std::optional<Checkpoint> from;
   if (!options.resume.empty()) from = readCheckpoint(options.resume, scene);
+  if (from && from->time >= scene.run.duration) {
+    throw InputError(options.resume, 0,
+                     fmt::format("was written at {} s, where a run of {} s is over; --duration says "
+                                 "how long the whole is",
+                                 from->time, scene.run.duration));
+  }
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
                          scene, frames, options.also);
   const Sea sea = buildSea(scene);

@@ -198,7 +198,7 @@ std::string RunSummary::json(const Scene& scene) const {
   summary.update({{"technique", lastFrame.technique},
                   {"backend", lastFrame.backend},
                   {"renderer", lastFrame.renderer},
-                  {"real_time_factor", wallSeconds > 0.0 ? scene.run.duration / wallSeconds : 0.0},
+                  {"real_time_factor", wallSeconds > 0.0 ? simulated(scene) / wallSeconds : 0.0},
                   {"wall_s", wallSeconds},
                   {"timings_ms", timingsMs},
                   {"passes_ms", passesMs}});

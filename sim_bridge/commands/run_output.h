@@ -73,9 +73,15 @@ struct RunSummary {
   std::map<std::string, double> passesMs;   ///< totals of the technique's passes
   render::FrameStats lastFrame;
   StepTimes stepTimes;
-  std::optional<double> resumedFrom;    ///< time of the checkpoint, s
+  std::optional<double> resumedFrom;  ///< time of the checkpoint, s
+  long long framesDrawn = 0;          ///< of each camera by this run: without those before that
   Performance achieved;  ///< what of the scene's `tuned` was measured
   std::vector<std::string> also;  ///< what else was written of each frame
+
+  /// How much of the scene this run went through, s.
+  double simulated(const Scene& scene) const {
+    return scene.run.duration - resumedFrom.value_or(0.0);
+  }
 
   std::string json(const Scene& scene) const;
 };

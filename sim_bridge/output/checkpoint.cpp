@@ -47,12 +47,11 @@ struct Content {
   Sources sources;
   std::int64_t seed = 0;
   double step = 0.0, time = 0.0;
-  std::int64_t frames = 0;
   std::string state;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(sources, seed, step, time, frames, state);
+    archive(sources, seed, step, time, state);
   }
 };
 
@@ -90,8 +89,8 @@ Content contentOf(const fs::path& file) {
 }  // namespace
 
 void writeCheckpoint(const fs::path& path, const Scene& scene, const Checkpoint& checkpoint) {
-  Content content{sourcesOf(scene), scene.sea.seed,    scene.run.step,
-                  checkpoint.time,  checkpoint.frames, checkpoint.state};
+  Content content{sourcesOf(scene), scene.sea.seed, scene.run.step, checkpoint.time,
+                  checkpoint.state};
   std::ostringstream bytes;
   {
     cereal::BinaryOutputArchive writer(bytes);
@@ -120,7 +119,7 @@ Checkpoint readCheckpoint(const fs::path& file, const Scene& scene) {
                    std::to_string(scene.sea.seed));
   }
   if (content.step != scene.run.step) fail(file, "was written with another step");
-  return {content.time, content.frames, std::move(content.state)};
+  return {content.time, std::move(content.state)};
 }
 
 }  // namespace seaway::bridge

@@ -9,9 +9,8 @@ namespace seaway::bridge {
 
 /// A run in the middle, to be gone on with later by the same build on the same machine.
 struct Checkpoint {
-  double time = 0.0;     ///< s since the scene's epoch
-  long long frames = 0;  ///< of each camera, drawn so far
-  std::string state;     ///< of the simulation (Simulation::state)
+  double time = 0.0;  ///< s since the scene's epoch
+  std::string state;  ///< of the simulation (Simulation::state)
 };
 
 /// Writes it with what the scene is made of: its file, and those of vessels and sea state that it

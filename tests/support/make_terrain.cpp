@@ -1,7 +1,8 @@
 // Writes configs/terrain/island.png, the map of heights of configs/scenes/island.yaml: a made-up
 // island of 2 km with hills, cliffs, a bay with a beach, and a reef around it.
 //
-//   build/release/tests/make_terrain configs/terrain/island.png
+//   g++ -std=c++20 -O2 tests/support/make_terrain.cpp -lpng -o /tmp/make_terrain
+//   /tmp/make_terrain configs/terrain/island.png
 //
 // Grey 0 is 40 m below the sea, 65535 is 120 m above it.
 #include <png.h>

@@ -82,10 +82,9 @@ TEST(CheckpointHard, AFileThatIsNoneOrDamagedSaysSo) {
   const TempFolder folder;
   const Scene scene = loadScene(test::writeScene(folder));
   const auto file = folder / "run.checkpoint";
-  writeCheckpoint(file, scene, {3.0, 7, "state"});
+  writeCheckpoint(file, scene, {3.0, "state"});
   const Checkpoint read = readCheckpoint(file, scene);
   EXPECT_EQ(read.time, 3.0);
-  EXPECT_EQ(read.frames, 7);
   EXPECT_EQ(read.state, "state");
   const std::string whole = test::readFile(file);
   const auto faultOf = [&](const std::string& bytes) {
@@ -107,7 +106,7 @@ TEST(CheckpointHard, ASceneThatHasChangedIsNamed) {
   const TempFolder folder;
   const auto path = test::writeScene(folder);
   const auto file = folder / "run.checkpoint";
-  writeCheckpoint(file, loadScene(path), {3.0, 7, "state"});
+  writeCheckpoint(file, loadScene(path), {3.0, "state"});
   folder.write("launch.yaml", test::readFile(folder / "launch.yaml") + "# heavier\n");
   const std::string message =
       test::inputErrorOf([&] { readCheckpoint(file, loadScene(path)); });
@@ -138,6 +137,11 @@ TEST(RunResumed, HasTheRowsAndFramesOfAnUninterruptedRun) {
         << frame;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "second/frames/000003.png"));
+  const auto over = test::seaway({"run", scene, "--duration", "1", "--resume", checkpoint, "--out",
+                                  (folder / "third").string()});
+  EXPECT_EQ(over.status, 2);
+  EXPECT_NE(over.err.find("--duration"), std::string::npos) << over.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "third"));
 }
 
 }  // namespace
