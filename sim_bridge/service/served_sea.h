@@ -113,6 +113,8 @@ class ServedSea {
   /// are not there at `t` now, and for listeners near ripples that are those of a time more than
   /// half a second away.
   SampleStatus attend(double t, std::span<const WakeListener> listeners);
+  /// Whether the scene has vessels that sail by themselves, in steps: somebody has to `attend`.
+  bool hasFreeVessels() const noexcept { return scene_.latest()->anyFree; }
   /// The time that was asked for last, s; 0 before any.
   double lastTime() const { return lastTime_; }
   /// Waits until wakes, and what lies on the water, are as they were called for before: true; not

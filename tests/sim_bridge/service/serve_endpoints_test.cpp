@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "seaway/v1/water.grpc.pb.h"
@@ -12,6 +13,7 @@
 #include "sim_bridge/scene/sea.h"
 #include "sim_bridge/shm/seaway_shm.hpp"
 #include "tests/sim_bridge/service/served_child.h"
+#include "tests/sim_bridge/service/served_waters.h"
 #include "tests/sim_bridge/test_support.h"
 
 // `seaway serve` with all its doors open and hosts at each of them, as they are when it is told to
@@ -195,6 +197,29 @@ TEST(ServeEndpointsHard, TerminatedUnderLoadOfAllItEndsWithZeroAndAnswersWholeOr
   besieged.stopHosts();
   EXPECT_EQ(besieged.wrong, 0);
   EXPECT_EQ(besieged.refusedOddly, 0);
+}
+
+// Nobody asks for anything but the status.
+TEST(ServeEndpoints, FreeVesselsSailAlongWithAClockOfTheServicesOwn) {
+  const TempFolder folder;
+  folder.write("launch.yaml", test::vesselText());
+  folder.write("driven.yaml", test::drivenVessel);
+  const std::string file = folder.write("scene.yaml", test::freeScene()).string();
+  test::ServedChild child(file, {"--metrics", "0", "--clock", "x8"});
+  const SocketAddress http = child.address("http://");
+  const auto north = [&] {
+    httplib::Client client(http.host, http.port);
+    const auto answer = client.Get("/status.json");
+    return answer ? nlohmann::json::parse(answer->body)["vessels"][0]["latitude_deg"].get<double>()
+                  : 0.0;
+  };
+  // At 4 m/s 20 m take less than a second of ours; 0.0001 degrees are 11 m.
+  const auto end = Clock::now() + hangs;
+  while (north() < 0.00018 && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_GE(north(), 0.00018);
+  EXPECT_EQ(child.end(SIGTERM), 0);
 }
 
 int logErrors(test::ServedChild& child) {
