@@ -22,6 +22,7 @@
 #include "sim_bridge/commands/schema_command.h"
 #include "sim_bridge/commands/selftest.h"
 #include "sim_bridge/commands/serve.h"
+#include "sim_bridge/commands/soak.h"
 #include "sim_bridge/commands/tune.h"
 #include "sim_bridge/commands/wake.h"
 #include "sim_bridge/output/unfinished_files.h"
@@ -36,8 +37,7 @@ constexpr AddCommand commands[] = {
     addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
     addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
     addHullCommand, addSailCommand,  addSchemaCommand, addSelftestCommand,
-    addTuneCommand,
-    addGalleryCommand,
+    addTuneCommand, addGalleryCommand, addSoakCommand,
 };
 
 constexpr int failed = 1;
