@@ -20,6 +20,18 @@ inline std::vector<std::uint32_t> evenSky(float radiance) {
   return std::vector<std::uint32_t>(texels, glm::packF3x9_E1x5(glm::vec3(radiance)));
 }
 
+/// Radiance 1 everywhere, in a box of pixels.
+inline LocalImage whiteImage(glm::ivec2 least, glm::ivec2 size, float nearness) {
+  LocalImage image;
+  image.least = least;
+  image.size = size;
+  image.resize();
+  // 1 = 256 · 2^(16 − 24), three times.
+  for (std::uint32_t& word : image.light) word = 16u << 27 | 256u << 18 | 256u << 9 | 256u;
+  for (float& n : image.nearness) n = nearness;
+  return image;
+}
+
 /// A piece of water 10 m away, seen at an angle from the vertical.
 struct LitWater {
   ShadingConstants constants;

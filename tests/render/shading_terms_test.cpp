@@ -56,10 +56,7 @@ TEST(ShadingTerms, LinearExtinctionEndsWhereTheExponentialLeavesAFewOfAHundred) 
   LitWater water;
   water.sky = test::evenSky(0.0f);
   // A submerged thing of radiance 1 everywhere, `apparent` below the surface seen straight down.
-  water.below.least = {-200, -200};
-  water.below.size = {400, 400};
-  // 1 = 256 · 2^(16 − 24), three times.
-  water.below.light.assign(160000, 16u << 27 | 256u << 18 | 256u << 9 | 256u);
+  water.below = test::whiteImage({-200, -200}, {400, 400}, 1.0f);
   ShadingConstants& c = water.constants;
   c.belowIsOn = true;
   c.belowLeast = glm::vec2(water.below.least);

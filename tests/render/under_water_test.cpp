@@ -257,8 +257,8 @@ TEST(UnderWaterHard, ThingsThatCrossTheSurfaceAndEyesInsideThemDrawNumbers) {
         local.fill(view, {.water = true, .cameraIsUnderWater = true, .anyUnderWater = true},
                    {shadingConstants(view, {})}, {});
         for (const LocalImage* image : {&local.window(), &local.depths()}) {
-          for (const glm::vec4& t : image->texels) {
-            ASSERT_TRUE(std::isfinite(t.x + t.y + t.z + t.w)) << height << ' ' << pitch;
+          for (const float n : image->nearness) {
+            ASSERT_TRUE(std::isfinite(n)) << height << ' ' << pitch;
           }
         }
       }

@@ -43,7 +43,7 @@ TEST(WaterEnergy, InAWhiteFurnaceAllWaterIsWhite) {
   LitWater water;
   water.constants.deepWater = glm::vec3(1.0f);
   const WaterSurface sea = test::moderateSea();
-  const LocalImage white{{-200, -200}, {400, 400}, std::vector<glm::vec4>(160000, {1, 1, 1, 0.05})};
+  const LocalImage white = test::whiteImage({-200, -200}, {400, 400}, 0.05f);
   water.mirrored = water.below = white;
   for (const bool hasObjects : {false, true}) {
     for (const double wind : {0.0, 3.0, 8.0, 15.0, 30.0}) {
