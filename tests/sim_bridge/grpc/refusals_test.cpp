@@ -246,20 +246,5 @@ TEST(RefusalsXdynHard, EveryOneIsCountedByItsReason) {
   expectEachCounted(served.waters.sea.meters().of("xdyn"), all);
 }
 
-// gRPC drops them, and tells the host, before they are whole; where it then hands us the call, with
-// no message, that is counted.
-TEST(RefusalsGrpcHard, AMessageThatGrpcItselfDropsIsCountedAtMostAsTooLarge) {
-  rpc::RpcServerOptions options;
-  options.mostMessageBytes = messageLimit;
-  ServedWater water(test::wakelessText(), {}, options);
-  Context context;
-  SampleResponse response;
-  const grpc::Status status = water.stub()->Sample(&context, planeRequest(1.0, 50'000), &response);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  const MeterCounts counts = water.meter().read();
-  EXPECT_EQ(sumOf(counts), counts.refusals[static_cast<std::size_t>(Refusal::tooLarge)]);
-  RecordProperty("counted", static_cast<int>(sumOf(counts)));
-}
-
 }  // namespace
 }  // namespace seaway::bridge
