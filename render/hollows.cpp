@@ -41,8 +41,9 @@ void cover(double low, double high, int size, int& first, int& end) {
 
 std::vector<PlacedHollow> decideHollows(const View& view, bool waterIsShown) {
   std::vector<PlacedHollow> hollows;
+  const bool isWanted = waterIsShown && !view.effects->isOff(Effect::hullMask);
   for (const SceneObject& object : view.objects) {
-    if (!waterIsShown || !object.mesh || object.mesh->hollows.empty()) continue;
+    if (!isWanted || !object.mesh || object.mesh->hollows.empty()) continue;
     if (!inView(object, view.camera)) continue;
     for (const Mesh::Hollow& hollow : object.mesh->hollows) {
       hollows.push_back(placed(hollow, object, view.camera));

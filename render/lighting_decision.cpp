@@ -130,10 +130,12 @@ Lighting decideLighting(const View& view, const Shown& shown, std::optional<SkyD
     if (lighting.moonPart > 0.0f) view.effects->chargeInside(Effect::moon, *payer);
     if (lighting.lampsAreOn) view.effects->chargeInside(Effect::lights, *payer);
   }
+  const bool skyLights = shown.objects || shown.terrain;
   const char* reason = shown.water ? "water reflects it"
                        : skyIsSeen ? "the camera sees above the horizon"
-                                   : "nothing shows or reflects it";
-  if (view.effects->decide(Effect::sky, skyIsSeen, reason)) {
+                       : skyLights ? "it lights what is in view"
+                                   : "nothing shows it, reflects it or is lit by it";
+  if (view.effects->decide(Effect::sky, skyIsSeen || skyLights, reason)) {
     if (!sky) sky.emplace();
     sky->drawFor({lighting.sunDirection, lighting.moonDirection, lighting.moonPart});
     lighting.sky = &*sky;

@@ -63,7 +63,9 @@ void LocalLight::fill(const View& view, const Shown& shown, const ShadingSources
 void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSources& sources,
                            const TerrainInView& terrain) {
   mirrored_.size = below_.size = {0, 0};
-  const bool mayShow = shown.water && !shown.cameraIsUnderWater &&
+  const bool isWanted =
+      !view.effects->isOff(Effect::reflection) || !view.effects->isOff(Effect::refraction);
+  const bool mayShow = isWanted && shown.water && !shown.cameraIsUnderWater &&
                        (!view.objects.empty() || terrain.isShown());
   shoreHardness_ = 0.0f;
   std::vector<double> levels;
@@ -71,7 +73,7 @@ void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSo
   const auto decide = [&](Effect effect, WaterSide side, const char* yes, LocalImage& image) {
     triangles_.clear();
     ground_.clear();
-    if (mayShow) {
+    if (mayShow && !view.effects->isOff(effect)) {
       triangles_.fill(view.objects, view.camera, side, levels);
       terrain.fill(view.camera,
                    side == WaterSide::below ? TerrainSide::below : TerrainSide::mirrored,

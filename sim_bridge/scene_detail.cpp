@@ -246,7 +246,11 @@ bool SceneDetail::paint(double t, std::span<const Vessel> vessels, EffectLedger*
 }
 
 bool SceneDetail::advancePools(double t, EffectLedger* ledger) {
-  if (pools_.empty()) return false;
+  const bool any = std::any_of(pools_.begin(), pools_.end(), [&](const RipplePool& pool) {
+    const RippleSource& source = pool.source();
+    return pool.memoryBytes() > 0 || (t > source.time && t < source.end());
+  });
+  if (!any) return false;
   EffectTimer timer(ledger, Effect::ripples);
   for (RipplePool& pool : pools_) pool.advance(t);
   return true;

@@ -18,7 +18,7 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
     {Effect::water, "water", "the sea surface in the picture, on a projected grid",
      "the volume the waves can reach meets the camera's view"},
     {Effect::sky, "sky", "procedural sky behind the scene and in reflections",
-     "the picture shows sky or water"},
+     "the picture shows sky, water or things that it lights"},
     {Effect::sun, "sun", "sun disc and its glitter on the water", "the sun is above the horizon"},
     {Effect::vesselMeshes, "vessel_meshes", "vessels in the picture",
      "a vessel's bounding sphere meets the camera's view"},
@@ -60,6 +60,9 @@ constexpr std::array<EffectDescription, static_cast<std::size_t>(Effect::count)>
      "the scene has `light.moon`, the moon is up and the sun is down"},
 }};
 
+/// Reasons are seldom longer, characters.
+constexpr std::size_t mostOfAReason = 96;
+
 std::size_t indexOf(Effect effect) { return static_cast<std::size_t>(effect); }
 
 double nowMicroseconds() {
@@ -98,6 +101,7 @@ EffectLedger::EffectLedger(const EffectSettings& settings) : settings_(settings)
     reports_[i].effect = descriptions[i].effect;
     const bool off = settings_[i] == EffectSetting::off;
     reports_[i].state = off ? EffectState::off : EffectState::idle;
+    reports_[i].reason.reserve(mostOfAReason);  // so that deciding allocates nothing
     reports_[i].reason = off ? "off in the scene" : "nothing asked for it";
   }
 }
@@ -109,7 +113,9 @@ bool EffectLedger::decide(Effect effect, bool calledFor, std::string_view reason
   const bool runs = calledFor || setting == EffectSetting::on;
   if (report.state != EffectState::on || runs) {
     report.state = runs ? EffectState::on : EffectState::idle;
-    report.reason = calledFor || !runs ? std::string(reason) : "forced on; " + std::string(reason);
+    report.reason.clear();
+    if (runs && !calledFor) report.reason = "forced on; ";
+    report.reason += reason;
   }
   return runs;
 }
