@@ -191,20 +191,40 @@ void SceneDetail::paintStroke(long long stroke, std::span<const Vessel> vessels)
   }
 }
 
+// What is older shows no more, or, of smoothed water, a twentieth: neither where all begins nor
+// after a leap in time.
+double SceneDetail::memory() const {
+  const LayerAccuracy& accuracy = scene_->accuracy.layers;
+  return std::min(std::max(memoryOf(accuracy.foamLife), 3.0 * accuracy.smoothLife), longestTrail);
+}
+
+double SceneDetail::leaveTrail(const Guest& guest) {
+  auto stroke = static_cast<long long>(std::ceil(guest.from / strokeLength));
+  const auto end = static_cast<long long>(std::floor(guest.to / strokeLength));
+  if (isOff(*scene_, Effect::trail) || stroke >= end) return guest.from;
+  const glm::dvec2 current = sea_->surface.waves().settings().current;
+  const auto poseAt = [&](double t) {
+    const CoursePoint place = guest.placeAt(t);
+    return TrailPose{place.position, place.direction, place.velocity - current};
+  };
+  for (; stroke < end; ++stroke) {
+    const double from = static_cast<double>(stroke) * strokeLength;
+    paintTrail(guest.hull, poseAt, from, from + strokeLength, layer(LayerKind::foam),
+               layer(LayerKind::smooth));
+  }
+  guestsPainted_ = true;
+  return static_cast<double>(end) * strokeLength;
+}
+
 bool SceneDetail::paint(double t, std::span<const Vessel> vessels, EffectLedger* ledger) {
   followHosted(vessels);
   const auto last = static_cast<long long>(std::floor(t / strokeLength));
   const bool trails = !trails_.empty();
   EffectTimer timer(trails ? ledger : nullptr, Effect::trail);
-  const LayerAccuracy& accuracy = scene_->accuracy.layers;
-  // What is older shows no more, or, of smoothed water, a twentieth: neither where all begins nor
-  // after a leap in time.
-  const double past =
-      std::min(std::max(memoryOf(accuracy.foamLife), 3.0 * accuracy.smoothLife), longestTrail);
   const long long first =
-      trails ? last - static_cast<long long>(std::ceil(past / strokeLength)) : last;
+      trails ? last - static_cast<long long>(std::ceil(memory() / strokeLength)) : last;
   long long next = std::max(nextStroke_.value_or(first), first);
-  bool changed = false;
+  bool changed = std::exchange(guestsPainted_, false);
   const auto paintPatches = [&](double before) {
     for (; nextPatch_ < patches_.size() && patches_[nextPatch_].time <= before; ++nextPatch_) {
       patches_[nextPatch_].paint(*this);
@@ -325,9 +345,7 @@ void SceneDetail::archive(Archive& archive, double t) {
   archivePlain(archive, next);
   if (began) nextStroke_ = next;
   for (const LayerKind kind : {LayerKind::foam, LayerKind::smooth, LayerKind::oil}) {
-    const auto& held = kind == LayerKind::foam     ? foam_
-                       : kind == LayerKind::smooth ? smooth_
-                                                   : oil_;
+    const auto& held = kind == LayerKind::foam ? foam_ : kind == LayerKind::smooth ? smooth_ : oil_;
     bool there = held.has_value();
     archivePlain(archive, there);
     if (there) layer(kind).archive(archive);

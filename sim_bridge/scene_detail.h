@@ -44,7 +44,22 @@ class SceneDetail {
   void advance(double t, std::span<const Vessel> vessels, EffectLedger* ledger = nullptr);
   void advance(double t, EffectLedger* ledger = nullptr) { advance(t, {}, ledger); }
 
-  /// Whether there can ever be anything.
+  /// Other waves from now on, of a sea that is else the same and outlives this object.
+  void setSea(const Sea& sea) { sea_ = &sea; }
+
+  /// A hull that is none of the vessels that `advance` knows of: one that a host sails.
+  struct Guest {
+    TrailHull hull;
+    std::function<CoursePoint(double)> placeAt;  ///< until `to`, and as far back as it goes
+    double from = 0.0, to = 0.0;                 ///< s: when its trail is wanted
+  };
+  /// Leaves a guest's trail, in whole strokes; to be seen after the next `advance`. Returns until
+  /// when it is left, s, for the next `from`. Where trails are off nothing is left.
+  double leaveTrail(const Guest& guest);
+  /// How far back what was left shows, s.
+  double memory() const;
+
+  /// Whether there can ever be anything, guests' trails apart.
   bool canShow() const { return !trails_.empty() || !patches_.empty() || !pools_.empty(); }
 
   /// Whether ripples may ever move the water within `radius` m of a place.
@@ -99,7 +114,8 @@ class SceneDetail {
   std::optional<SurfaceLayer> foam_, smooth_, oil_;
   std::vector<RipplePool> pools_;
   std::optional<long long> nextStroke_;
-  double time_ = 0.0;  // of the last advance
+  bool guestsPainted_ = false;  // since the last advance
+  double time_ = 0.0;           // of the last advance
   std::shared_ptr<const SurfaceDetail> detail_;
 };
 

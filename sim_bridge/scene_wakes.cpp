@@ -24,14 +24,14 @@ EffectSetting settingOf(const Scene& scene) {
   return scene.effects[static_cast<std::size_t>(Effect::wake)];
 }
 
-WakePose poseAt(double t, const SceneVessel& description, const Vessel& vessel) {
+}  // namespace
+
+WakePose wakePoseOf(double t, const SceneVessel& description, const Vessel& vessel) {
   const CoursePoint place = vessel.placeAt(t);
   const double carried = vessel.submergedVolume() * seaWaterDensity / vessel.mass();
   return {t, place.position, place.direction,
           description.model.wake.strength * std::clamp(carried / lightestInFull, 0.0, 1.0)};
 }
-
-}  // namespace
 
 bool makesWaves(const SceneVessel& vessel, const Sea& sea) {
   const bool moves = vessel.speed != 0.0 || vessel.turn_deg != 0.0 ||
@@ -59,8 +59,7 @@ namespace {
 
 /// The same of a vessel as it is: a host may move one that the scene has at rest.
 bool makesWavesNow(const SceneVessel& description, const Vessel& vessel, const Sea& sea) {
-  return makesWaves(description, sea) ||
-         (vessel.hosted() && description.model.wake.strength > 0.0);
+  return makesWaves(description, sea) || (vessel.hosted() && description.model.wake.strength > 0.0);
 }
 
 }  // namespace
@@ -81,6 +80,14 @@ struct SceneWakes::Running {
 };
 
 SceneWakes::SceneWakes(const Scene& scene, const Sea& sea) : scene_(&scene), sea_(&sea) {}
+
+void SceneWakes::setSea(const Sea& sea) {
+  sea_ = &sea;
+  if (!running_) return;
+  if (running_.use_count() > 1) running_ = std::make_shared<Running>(*running_);
+  running_->surface = sea.surface;
+  running_->surface.setDisturbances(running_->system.feed());
+}
 
 const WaterSurface& SceneWakes::surface() const {
   return running_ ? running_->surface : sea_->surface;
@@ -132,7 +139,7 @@ void SceneWakes::enter(std::size_t index, double t, const Vessel& vessel) {
   const double step = wakeCascade(*scene_, description.model.hull).front().step;
   const double first = std::floor((t - running_->system.memory(handle)) / step) - 1.0;
   for (double n = first; n * step < t - 1e-3 * step; n += 1.0) {
-    running_->system.record(handle, poseAt(n * step, description, vessel));
+    running_->system.record(handle, wakePoseOf(n * step, description, vessel));
   }
 }
 
@@ -142,7 +149,7 @@ void SceneWakes::record(double t, std::span<const Vessel> vessels) {
       if (!makesWavesNow(scene_->vessels[i], vessels[i], *sea_)) continue;
       enter(i, t, vessels[i]);  // a host sails it since a while
     }
-    running_->system.record(running_->handles[i], poseAt(t, scene_->vessels[i], vessels[i]));
+    running_->system.record(running_->handles[i], wakePoseOf(t, scene_->vessels[i], vessels[i]));
   }
 }
 

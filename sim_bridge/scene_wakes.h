@@ -39,6 +39,9 @@ class SceneWakes {
   /// Handle of vessel `index` for SampleOptions::excludeVessel: 0 where it feels all waves.
   std::uint32_t ownHandle(std::size_t index) const;
 
+  /// Other waves from now on, of a sea that is else the same and outlives this object.
+  void setSea(const Sea& sea);
+
   void setAudience(Audience audience) { audience_ = std::move(audience); }
 
   /// Notes where the vessels are at `t` and brings the wakes there.
@@ -73,6 +76,8 @@ constexpr double cameraReach = 2000.0;
 WakeSystemSettings wakeSettings(const Scene& scene, const Sea& sea);
 /// The windows of a hull's waves.
 std::vector<WakeLevel> wakeCascade(const Scene& scene, const BoxHull& hull);
+/// What the wakes note of a vessel at `t`, as deep in the water as it is now.
+WakePose wakePoseOf(double t, const SceneVessel& description, const Vessel& vessel);
 /// Whether a vessel of the scene moves through the water on its course and leaves waves there.
 bool makesWaves(const SceneVessel& vessel, const Sea& sea);
 

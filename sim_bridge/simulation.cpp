@@ -112,6 +112,13 @@ bool Simulation::place(std::size_t index, double t, const VesselPose& pose) {
   return true;
 }
 
+void Simulation::setSea(const Sea& sea) {
+  sea_ = &sea;
+  wakes_.setSea(sea);
+  detail_.setSea(sea);
+  showDetail();
+}
+
 template <class Action>
 void Simulation::forEachPrescribed(Action action) {
   std::size_t from = 0;

@@ -53,6 +53,9 @@ class Simulation {
   /// nothing changes, where `t` is before time() or not later than the host's last pose.
   bool place(std::size_t index, double t, const VesselPose& pose);
 
+  /// Other waves from now on, of a sea that is else the same and outlives the simulation.
+  void setSea(const Sea& sea);
+
   double time() const { return time_; }
   double nextTime() const;  ///< after one more step, s
 

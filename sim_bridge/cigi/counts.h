@@ -18,7 +18,8 @@ enum class Count : std::size_t {
   unexpected,       ///< datagrams dropped: a message of an image generator
   unknownPackets,   ///< passed over: an identifier that is not served
   wrongSize,        ///< packets passed over: a known identifier of another size
-  unsupported,      ///< packets passed over: regional or entity scope, other conditions
+  unsupported,      ///< packets passed over: not finite, waves that cannot be, other conditions
+  otherScopes,      ///< packets passed over: of a region or an entity, where there is one sea state
   refusedRequests,  ///< more requests at a time than are kept
   noConditions,     ///< maritime conditions asked where there is no water: not answered
   lost,             ///< host frames that never came, or came late

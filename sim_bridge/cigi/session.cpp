@@ -179,11 +179,9 @@ void CigiSession::take(const PointRequest& request) {
 }
 
 void CigiSession::set(const MaritimeSurfaceControl& control) {
-  const bool sane = std::isfinite(control.height) && std::isfinite(control.temperature) &&
-                    std::isfinite(control.clarity);
-  if (!isGlobal(control.scope) || !sane) {
-    fault(Count::unsupported,
-          "Maritime Surface Conditions Control is passed over: not of global scope, or not finite");
+  if (!isGlobal(control.scope)) return refuseScope(control, control.scope);
+  if (!std::isfinite(control.height + control.temperature + control.clarity)) {
+    fault(Count::unsupported, "Maritime Surface Conditions Control is passed over: not finite");
     return;
   }
   waterLevel_ = control.enabled ? control.height : options_.waterLevel;
@@ -192,10 +190,16 @@ void CigiSession::set(const MaritimeSurfaceControl& control) {
 }
 
 void CigiSession::set(const WaveControl& control) {
-  if (isGlobal(control.scope) && waves_.set(control)) return;
+  if (!isGlobal(control.scope)) return refuseScope(control, control.scope);
+  if (waves_.set(control)) return;
   fault(Count::unsupported,
-        "Wave Control is passed over: not of global scope, not finite, of negative height, or with "
-        "neither wavelength nor period");
+        "Wave Control is passed over: not finite, of negative height, or with neither wavelength "
+        "nor period");
+}
+
+void CigiSession::refuseScope(const Packet& packet, std::uint8_t scope) {
+  fault(Count::otherScopes, std::string(packetName(packet)) + " of scope " + std::to_string(scope) +
+                                " is passed over: one sea has one sea state; must be global (0)");
 }
 
 void CigiSession::tellWater() {

@@ -84,6 +84,8 @@ class CigiSession {
   void take(const PointRequest& request);
   void set(const MaritimeSurfaceControl& control);
   void set(const WaveControl& control);
+  /// Of a region or an entity: it changes nothing.
+  void refuseScope(const Packet& packet, std::uint8_t scope);
   void tellWater();
   void answerFrame();
   void answerConditions();

@@ -145,9 +145,9 @@ class UdpEndpoint::Server {
       for (const Count each : all) total += counts_[each];
       return total;
     };
-    return {
-        sum({Count::heights, Count::velocities}), sum({Count::malformed, Count::unexpected}),
-        sum({Count::wrongSize, Count::unsupported, Count::refusedRequests, Count::refusedHosts})};
+    return {sum({Count::heights, Count::velocities}), sum({Count::malformed, Count::unexpected}),
+            sum({Count::wrongSize, Count::unsupported, Count::otherScopes, Count::refusedRequests,
+                 Count::refusedHosts})};
   }
 
   /// The session of an address, made where there is room; null where there is none.

@@ -10,6 +10,7 @@
 #include "render/headless_context.h"
 #include "sim_bridge/commands/cost_report.h"
 #include "sim_bridge/commands/options.h"
+#include "sim_bridge/cost/advice.h"
 #include "sim_bridge/cost/calibration.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/atomic_file.h"
@@ -115,18 +116,22 @@ int runCost(const CostOptions& options, std::ostream& out) {
   }
   nlohmann::ordered_json json = asJson(studies, options.scene);
   json["calibration"] = asJson(calibration);
+  json["advice"] = costAdvice(studies);
   AtomicFile jsonFile(folder / "cost.json"), csvFile(folder / "cost.csv"),
-      report(folder / "report.html");
+      report(folder / "report.html"), figure(folder / "height_error.svg");
   jsonFile.stream() << json.dump(2) << '\n';
   writeCsv(studies, csvFile.stream());
   report.stream() << costReport(studies, calibration, options.scene);
+  figure.stream() << heightErrorFigure(studies);
   jsonFile.commit();
   csvFile.commit();
   report.commit();
+  figure.commit();
   if (options.json) {
     out << json.dump(2) << '\n';
   } else {
     writeTables(studies, out);
+    for (const std::string& sentence : costAdvice(studies)) out << sentence << '\n';
   }
   return 0;
 }
@@ -136,7 +141,7 @@ void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
       app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for report.html, cost.json and cost.csv")
+  command->add_option("--out", options->out, "folder for report.html, height_error.svg, cost.json and cost.csv")
       ->required()
       ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim_bridge/cost/advice.h"
 #include "sim_bridge/report/html_page.h"
 #include "sim_bridge/report/plot.h"
 
@@ -94,6 +95,7 @@ void addStudy(const Study& study, HtmlPage& page) {
   if (isByTechnique(study)) addTechniques(study, page);
   // Pictures are drawn together; settings without a number are no steps of a dial.
   if (isOfPictures(study) || study.points.back().dial == 0.0) return;
+  if (study.name == "query_octaves") return;  // the page's first figure
   Plot plot;
   plot.title = study.name;
   plot.x = {"cost, " + study.unitCost, true};
@@ -125,12 +127,36 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
 
 }  // namespace
 
+std::string heightErrorFigure(const std::vector<Study>& studies) {
+  Plot plot;
+  plot.title = "height error against cost";
+  plot.x = {"cost, ns a point"};
+  plot.y = {"error, m rms", false, 0.0};  // not logarithmic: the whole sea has no error
+  for (const Study& study : studies) {
+    if (study.name != "query_octaves") continue;
+    Curve curve{"by number of octaves", {}, {}}, chosen{"the scene's: " + study.chosen, {}, {}};
+    chosen.style = CurveStyle::points;
+    for (const CostPoint& point : study.points) {
+      for (Curve* to : {&curve, &chosen}) {
+        if (to == &chosen && point.setting != study.chosen) continue;
+        to->x.push_back(point.cost);
+        to->y.push_back(point.error);
+      }
+    }
+    plot.curves = {curve, chosen};
+  }
+  return svgOf(plot);
+}
+
 std::string costReport(const std::vector<Study>& studies, const Calibration& calibration,
                        const std::string& scene) {
   HtmlPage page("Seaway: what accuracy costs");
   page.paragraph("Scene " + scene + ", measured in one process on " + machineLine() +
                  ". Costs are medians; "
                  "after ± stands half the distance between quartiles.");
+  for (const std::string& sentence : costAdvice(studies)) page.paragraph(sentence);
+  page.figure(heightErrorFigure(studies),
+              "Height error of queries by what a point costs, from no octave to all.");
   addPictures(studies, page);
   for (const Study& study : studies) {
     if (!study.points.empty()) addStudy(study, page);

@@ -7,6 +7,7 @@
 
 #include "sim_bridge/output/number_text.h"
 #include "surface/angles.h"
+#include "surface/spectra/steepness.h"
 
 namespace seaway::bridge {
 namespace {
@@ -159,6 +160,11 @@ void writeFitText(const FitResult& result, std::ostream& out) {
   out << fmt::format("H_m0  m   {:>9.3f} {:>9.3f}\n", s.hm0Target, s.hm0Fit);
   out << fmt::format("T_m02 s   {:>9.3f} {:>9.3f}\n", s.tm02Target, s.tm02Fit);
   out << fmt::format("T_p   s   {:>9.3f} {:>9.3f}\n", s.tpTarget, s.tpFit);
+  if (averageSteepness(s.hm0Target, s.tm02Target) > limitingSteepness(s.tm02Target)) {
+    out << fmt::format("steeper than seas get before they break: 1/{:.1f}, limit 1/{:.1f}\n",
+                       1.0 / averageSteepness(s.hm0Target, s.tm02Target),
+                       1.0 / limitingSteepness(s.tm02Target));
+  }
   out << fmt::format("residual on {}, relative L2: {:.3f}\n", judgedOn(result), s.residualL2);
   if (s.residualGrid > 0.0) out << fmt::format("residual on E(f, theta): {:.3f}\n", s.residualGrid);
   if (!isPerlin(result)) {

@@ -4,8 +4,13 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <memory>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 #include <vector>
 
 #include "sim_bridge/scene/scene_loader.h"
@@ -62,6 +67,17 @@ void makeEndpoints(const ServeOptions& options, ServedSea& sea, const ServeClock
   }
 }
 
+/// Free vessels sail along with a clock of the service's own, also while nobody asks.
+void followClock(const std::stop_token& stop, const ServeClock& clock, ServedSea& sea) {
+  std::mutex mutex;
+  std::condition_variable_any ended;
+  std::unique_lock lock(mutex);
+  while (!stop.stop_requested()) {
+    if (sea.hasFreeVessels()) sea.attend(clock.now(), {});
+    ended.wait_for(lock, stop, std::chrono::milliseconds(250), [] { return false; });
+  }
+}
+
 void reload(const std::string& file, ServedSea& sea) {
   try {
     const Scene scene = loadScene(file);
@@ -87,6 +103,10 @@ int runServe(const ServeOptions& options) {
   for (const auto& endpoint : endpoints) {
     endpoint->start();
     spdlog::info("{} serves {}", endpoint->description(), options.scene);
+  }
+  std::jthread follower;
+  if (!clock.isHosts()) {
+    follower = std::jthread([&](const std::stop_token& stop) { followClock(stop, clock, sea); });
   }
   int signal = signals.wait();
   for (; signal == SIGHUP; signal = signals.wait()) reload(options.scene, sea);

@@ -20,6 +20,7 @@ namespace seaway::bridge::rpc {
 struct Outcome {
   std::size_t points = 0;              ///< sampled, for the meter
   bool frame = false;                  ///< a picture was drawn
+  std::size_t refused = 0;             ///< parts of the request that the answer says no to
   std::chrono::milliseconds again{0};  ///< where not 0, no answer yet: ask again so much later
 };
 
@@ -92,6 +93,11 @@ class CallSlot {
   void take() {
     begun_ = std::chrono::steady_clock::now();
     bloated_ = bloated_ || received_.Length() > mostKept;
+    if (!received_.Valid()) {
+      // gRPC has dropped it and told the host so.
+      return refuse(std::make_exception_ptr(RpcFault(
+          grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge, "the message is far too long")));
+    }
     if (received_.Length() > host_.mostMessageBytes) {
       return refuse(std::make_exception_ptr(
           RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
@@ -148,6 +154,7 @@ class CallSlot {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun_;
     host_.meter.answered(outcome.points, taken.count());
     if (outcome.frame) host_.meter.frameSent(taken.count());
+    for (std::size_t i = 0; i < outcome.refused; ++i) host_.meter.refused(Refusal::badValue);
   }
 
   void refuse(std::exception_ptr thrown) {

@@ -20,10 +20,6 @@ using std::chrono::milliseconds;
 /// gRPC's own messages go where ours go, and only where somebody looks for faults.
 void logToOurs(gpr_log_func_args* entry) { spdlog::debug("gRPC: {}", entry->message); }
 
-/// Of each method, by each thread. A call beyond them goes to another thread, which then watches
-/// its connection too.
-constexpr int callsListenedFor = 8;
-
 int millisecondsOf(double seconds) { return static_cast<int>(1000.0 * seconds); }
 
 void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options) {
@@ -97,7 +93,7 @@ void RpcServer::bind() {
 void RpcServer::start() {
   for (const auto& queue : queues_) {
     for (const auto& method : methods_) {
-      for (int i = 0; i < callsListenedFor; ++i) method->listen(queue.get());
+      for (int i = 0; i < options_.callsListenedFor; ++i) method->listen(queue.get());
     }
   }
   for (const auto& queue : queues_) {

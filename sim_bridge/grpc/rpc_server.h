@@ -27,6 +27,9 @@ struct RpcServerOptions {
   double spin = 50e-6;
   /// A host that does not answer for so long, s, is gone, and twice that where it is silent.
   double patience = 10.0;
+  /// Of each method, by each thread. A call beyond them goes to another thread, which from then on
+  /// wakes for whatever comes on that connection: more than hosts of a thread that call at once.
+  int callsListenedFor = 32;
 };
 
 /// What holds for all servers of a process: to be called once, before it has other threads and

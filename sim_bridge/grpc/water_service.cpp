@@ -43,7 +43,7 @@ class PosesAnswerer {
   Lane lane(const Request&) const { return Lane::here; }
   Outcome answer(const Request& request, Response& response, const CallWatch&) {
     poses_.submit(request, response);
-    return {};
+    return {.refused = static_cast<std::size_t>(response.ignored_size())};
   }
   void ended() { poses_.leave(); }
 

@@ -20,6 +20,16 @@ std::size_t pointsOf(const Request& request) {
   }
 }
 
+/// xdyn is told of bad parameters in the answer.
+template <class Response>
+std::size_t refusedIn(const Response& response) {
+  if constexpr (requires { response.error_message(); }) {
+    return response.error_message().empty() ? 0 : 1;
+  } else {
+    return 0;
+  }
+}
+
 template <class RequestOf, class ResponseOf, Lane where, auto function>
 class Answerer {
  public:
@@ -31,7 +41,7 @@ class Answerer {
   }
   Outcome answer(const Request& request, Response& response, const CallWatch& watch) {
     function(*waves_, request, response, watch);
-    return {.points = pointsOf(request)};
+    return {.points = pointsOf(request), .refused = refusedIn(response)};
   }
   void ended() {}
 

@@ -13,6 +13,7 @@
 #include "surface/fit/octave_fit.h"
 #include "surface/input_error.h"
 #include "surface/spectra/directional_spread.h"
+#include "surface/spectra/steepness.h"
 
 namespace seaway::bridge {
 namespace {
@@ -81,6 +82,18 @@ void warnOf(const std::vector<BlockedOctave>& blocked, const Scene& scene) {
       longest.groupSpeed);
 }
 
+void warnOfSteepness(const WaveField& field, const Scene& scene) {
+  const double period = meanPeriod(field.octaves(), scene.sea.depth);
+  const double steepness = averageSteepness(field.significantWaveHeight(), period);
+  if (!(steepness > limitingSteepness(period))) return;
+  spdlog::warn(
+      "{}: waves of H_m0 {:.3g} m and T_m02 {:.3g} s are steeper than seas get before they break: "
+      "1/{:.1f}, "
+      "where 1/{:.1f} is the limit",
+      scene.file.string(), field.significantWaveHeight(), period, 1.0 / steepness,
+      1.0 / limitingSteepness(period));
+}
+
 }  // namespace
 
 Sea buildSea(const Scene& scene) {
@@ -104,6 +117,7 @@ Sea buildSea(const Scene& scene) {
     std::vector<BlockedOctave> blocked =
         blockedOctaves(field.octaves(), sea.depth, field.settings().current);
     warnOf(blocked, scene);
+    warnOfSteepness(field, scene);
     return {geodesy, SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked,
             std::move(blocked)};
   } catch (const InputError& fault) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surface/angles.h"
+#include "sim_bridge/vessel/pose_between.h"
 
 namespace seaway::bridge {
 namespace {
@@ -15,17 +15,8 @@ constexpr double beganAgain = 1.0;
 constexpr double reckoned = 0.5;
 constexpr double reckonedFrom = 0.1;
 constexpr std::size_t mostPoses = 256;
-
-VesselPose between(const VesselPose& a, const VesselPose& b, double part) {
-  const auto mixed = [&](double from, double to) { return from + part * (to - from); };
-  VesselPose pose;
-  pose.position = a.position + part * (b.position - a.position);
-  pose.direction = a.direction + part * std::remainder(b.direction - a.direction, 2.0 * pi);
-  pose.height = mixed(a.height, b.height);
-  pose.pitch = mixed(a.pitch, b.pitch);
-  pose.roll = a.roll + part * std::remainder(b.roll - a.roll, 2.0 * pi);
-  return pose;
-}
+constexpr double trailInterval = 0.05;  // s
+constexpr std::ptrdiff_t mostTrailNews = 9000;
 
 WakePose wakePose(double t, const VesselPose& pose) {
   return {t, pose.position, pose.direction, 1.0};
@@ -41,6 +32,7 @@ std::uint32_t ServedFleet::add(std::size_t vessel) {
 bool ServedFleet::remove(std::uint32_t hull) {
   if (hulls_.erase(hull) == 0) return false;
   news_[hull].ends = true;
+  trailNews_[hull].ends = true;
   return true;
 }
 
@@ -66,6 +58,7 @@ bool ServedFleet::place(std::uint32_t hull, double t, const VesselPose& pose) {
   placed.poses.push_back({t, pose});
   if (placed.poses.size() > mostPoses) placed.poses.pop_front();
   news.poses.push_back(wakePose(t, pose));
+  tellTrail(hull, placed, placed.poses.size() == 1);
   return true;
 }
 
@@ -79,14 +72,14 @@ std::optional<VesselPose> ServedFleet::at(std::uint32_t hull, double t) const {
   if (next == poses.begin()) return poses.front().pose;
   const auto& last = *(next - 1);
   if (next != poses.end()) {
-    return between(last.pose, next->pose, (t - last.time) / (next->time - last.time));
+    return poseBetween(last.pose, next->pose, (t - last.time) / (next->time - last.time));
   }
   // Reckoned from a pose some time back, lest the noise of two close ones be blown up.
   auto before = next - 1;
   while (before != poses.begin() && before->time > last.time - reckonedFrom) --before;
   if (before == next - 1) return last.pose;
   const double on = std::min(t - last.time, reckoned);
-  VesselPose pose = between(before->pose, last.pose, 1.0 + on / (last.time - before->time));
+  VesselPose pose = poseBetween(before->pose, last.pose, 1.0 + on / (last.time - before->time));
   pose.height = last.pose.height;
   pose.pitch = last.pose.pitch;
   pose.roll = last.pose.roll;
@@ -98,15 +91,32 @@ void ServedFleet::renumber(const std::vector<std::optional<std::size_t>>& vessel
   for (auto& [number, hull] : hulls_) hull.vessel = *vessels[hull.vessel];
 }
 
-void ServedFleet::retell() {
-  news_.clear();
+std::map<std::uint32_t, HullNews> ServedFleet::allNews() const {
+  std::map<std::uint32_t, HullNews> all;
   for (const auto& [number, hull] : hulls_) {
     if (!hull.isPlaced()) continue;
-    HullNews& news = news_[number];
+    HullNews& news = all[number];
     news.vessel = hull.vessel;
     news.begins = true;
     for (const auto& each : hull.poses) news.poses.push_back(wakePose(each.time, each.pose));
   }
+  return all;
+}
+
+// After its pose is noted.
+void ServedFleet::tellTrail(std::uint32_t number, Hull& hull, bool begins) {
+  const auto& [t, pose] = hull.poses.back();
+  if (!begins && t < hull.trailTold + trailInterval) return;
+  HullNews& news = trailNews_[number];
+  if (begins) news = HullNews();
+  news.begins = news.begins || begins;
+  news.vessel = hull.vessel;
+  news.poses.push_back(wakePose(t, pose));
+  // Nobody has asked for long.
+  if (std::ssize(news.poses) > 2 * mostTrailNews) {
+    news.poses.erase(news.poses.begin(), news.poses.begin() + mostTrailNews);
+  }
+  hull.trailTold = t;
 }
 
 }  // namespace seaway::bridge

@@ -43,7 +43,8 @@ class ServedFleet {
 
   struct Hull {
     std::size_t vessel = 0;
-    bool moved = false;  ///< has ever been in two places
+    bool moved = false;      ///< has ever been in two places
+    double trailTold = 0.0;  ///< time of the last pose that trails have heard of, s
     struct TimedPose {
       double time = 0.0;
       VesselPose pose;
@@ -59,11 +60,18 @@ class ServedFleet {
   /// What has happened since the last call, by hull.
   std::map<std::uint32_t, HullNews> takeNews() { return std::exchange(news_, {}); }
   /// All hulls begin anew: for wakes that know nothing yet.
-  void retell();
+  void retell() { news_ = allNews(); }
+
+  /// The same for their trails, with a pose for each 0.05 s.
+  std::map<std::uint32_t, HullNews> takeTrailNews() { return std::exchange(trailNews_, {}); }
+  void retellTrails() { trailNews_ = allNews(); }
 
  private:
   std::map<std::uint32_t, Hull> hulls_;
-  std::map<std::uint32_t, HullNews> news_;
+  std::map<std::uint32_t, HullNews> allNews() const;
+  void tellTrail(std::uint32_t number, Hull& hull, bool begins);
+
+  std::map<std::uint32_t, HullNews> news_, trailNews_;
   std::uint32_t last_ = 0;
 };
 

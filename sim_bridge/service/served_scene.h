@@ -13,7 +13,8 @@ namespace seaway::bridge {
 
 /// What a vessel of a served scene does where no host sails it, and how its waves run.
 struct ServedVessel {
-  Course course;
+  Course course;              ///< of a free one: until the epoch
+  bool free = false;          ///< sails freely (FreeSailing) from the epoch on
   bool makesWaves = false;    ///< on its course
   bool canMakeWaves = false;  ///< when a host moves it
   double reach = 0.0;         ///< of its wakes' windows along both axes, m
@@ -29,13 +30,18 @@ struct ServedScene {
   Scene scene;
   Sea sea;
   bool wakesAllowed;                  ///< the scene does not switch wakes off
+  bool trailsAllowed;                 ///< nor trails
   std::vector<ServedVessel> vessels;  ///< one each of the scene's
-  const SceneDetail detail;           ///< before anything has happened: to be copied
+  bool anyFree = false;
+  const SceneDetail detail;  ///< before anything has happened: to be copied
 
   /// Handle of the wake of the scene's own vessel `index`; hosts' hulls have theirs below.
   static constexpr std::uint32_t handleOf(std::size_t index) {
     return 0x8000'0000u + static_cast<std::uint32_t>(index);
   }
 };
+
+/// The same water with other waves.
+WaterSurface withWaves(const WaterSurface& water, const WaveField& waves);
 
 }  // namespace seaway::bridge

@@ -17,6 +17,7 @@ ServedSea::ServedSea(const Scene& scene, Sea sea) : geodesy_(sea.geodesy) {
   publish();
   thread_ = std::jthread([this](const std::stop_token& stop) { keepWakes(stop); });
   detailThread_ = std::jthread([this](const std::stop_token& stop) { keepDetail(stop); });
+  sailingThread_ = std::jthread([this](const std::stop_token& stop) { keepSailing(stop); });
 }
 
 ServedSea::~ServedSea() = default;
@@ -29,13 +30,7 @@ std::shared_ptr<const Scene> ServedSea::scene() const noexcept {
 // Under composing_.
 void ServedSea::publish() {
   const WaterSurface& own = composed_->sea.surface;
-  WaterSurface surface = own;
-  if (hostWaves_) {
-    surface = WaterSurface(*hostWaves_);
-    surface.setOutline(own.sharedOutline());
-    surface.setEvents(own.extras().events);
-    surface.setDetail(own.extras().detail);
-  }
+  WaterSurface surface = hostWaves_ ? withWaves(own, *hostWaves_) : own;
   if (feed_) surface.setDisturbances(feed_);
   if (detail_) surface.setDetail(detail_);
   surface_.publish(std::make_shared<const WaterSurface>(std::move(surface)));
@@ -95,6 +90,11 @@ void ServedSea::replaceScene(const Scene& scene, Sea sea) {
   detailAsked_.time = -std::numeric_limits<double>::infinity();
   detailAsked_.brought.reset();
   detailAsked_.effects.clear();
+  detailAsked_.anyGuests = false;
+  fleet_.retellTrails();
+  voyage_ = nullptr;
+  sailingAsked_.time = -std::numeric_limits<double>::infinity();
+  tooFarToSail_ = false;
   ++wavesVersion_;
   publish();
   scene_.publish(next);
@@ -106,7 +106,9 @@ void ServedSea::replaceScene(const Scene& scene, Sea sea) {
 
 std::uint32_t ServedSea::addHull(std::size_t index) {
   const std::lock_guard lock(noting_);
-  return index < noted_->vessels.size() ? fleet_.add(index) : 0;
+  if (index >= noted_->vessels.size()) return 0;
+  called_.notify_all();  // threads that slept take the hull's news from now on
+  return fleet_.add(index);
 }
 
 void ServedSea::removeHull(std::uint32_t hull) {
@@ -126,7 +128,9 @@ bool ServedSea::place(std::uint32_t hull, double t, const HostedPose& pose) {
                     std::isfinite(placed.direction + placed.height + placed.pitch + placed.roll);
   if (!sane) return false;
   const std::lock_guard lock(noting_);
-  return fleet_.place(hull, t, placed);
+  if (!fleet_.place(hull, t, placed)) return false;
+  detailAsked_.anyGuests = detailAsked_.anyGuests || noted_->trailsAllowed;
+  return true;
 }
 
 std::uint32_t ServedSea::ownWake(std::uint32_t hull) const {
@@ -146,6 +150,11 @@ std::vector<bool> ServedSea::hostedVessels() const {
 }
 
 namespace {
+
+/// At rest somewhere.
+Course resting(const CoursePoint& place) {
+  return Course(place.position, place.direction, 0.0, 0.0);
+}
 
 VesselPose afloatOn(const WaterSurface& surface, const ServedScene& scene, std::size_t vessel,
                     const Course& course, double t, std::uint32_t own) {
@@ -175,8 +184,10 @@ ServedMoment ServedSea::moment(double t) const {
   ServedMoment result;
   result.time = t;
   std::vector<bool> hosted;
+  std::shared_ptr<const FreeVoyage> voyage;
   {
     const std::lock_guard lock(noting_);
+    voyage = voyage_;
     result.scene = noted_;
     result.surface = surface();
     hosted = hostedVessels();
@@ -188,10 +199,17 @@ ServedMoment ServedSea::moment(double t) const {
   }
   for (std::size_t i = 0; i < hosted.size(); ++i) {
     if (hosted[i]) continue;
+    const ServedVessel& vessel = result.scene->vessels[i];
+    const bool free = vessel.free && t >= 0.0;
+    if (free && voyage) {
+      result.hulls.push_back({{i, voyage->poseAt(i, t)}, 0, !voyage->covers(t)});
+      continue;
+    }
+    const Course course = free ? resting(vessel.course.at(0.0)) : vessel.course;
     result.hulls.push_back(
-        {{i, afloatOn(*result.surface, *result.scene, i, result.scene->vessels[i].course, t,
-                      ServedScene::handleOf(i))},
-         0});
+        {{i, afloatOn(*result.surface, *result.scene, i, course, t, ServedScene::handleOf(i))},
+         0,
+         free});
   }
   std::stable_sort(result.hulls.begin(), result.hulls.end(),
                    [](const auto& a, const auto& b) { return a.vessel < b.vessel; });

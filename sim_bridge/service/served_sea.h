@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "sim_bridge/scene_view.h"
+#include "sim_bridge/service/free_voyage.h"
 #include "sim_bridge/service/hosted_pose.h"
 #include "sim_bridge/service/meter.h"
 #include "sim_bridge/service/served_fleet.h"
@@ -27,11 +28,13 @@
 
 namespace seaway::bridge {
 
+class FreeSailing;
 class WakeKeeper;
 
 /// A vessel that is there at some time: one that a host sails, or one on the scene's course.
 struct ServedHull : PlacedVessel {
   std::uint32_t hull = 0;  ///< the host's; 0: of the scene
+  bool outOfTime = false;  ///< a free one whose place at this time is not known: the nearest known
 };
 
 /// Everything at one time: what a picture is drawn of.
@@ -47,7 +50,13 @@ struct ServedMoment {
 ///
 /// What lies on the water and ripples it (SceneDetail) follows the latest time that was asked for
 /// in the last five seconds, on a thread of its own, as far as the scene has any. Vessels that
-/// hosts sail leave no trail.
+/// hosts sail leave their trail along the poses that they were given (HostedTrails).
+///
+/// Free vessels sail to that time too (FreeSailing), step by step, on another thread: an answer
+/// that is ahead of them says `wakeOutOfTime` near them, and pictures wait. Their last 30 s are
+/// remembered. Where the time goes farther back they sail again from the epoch, in the waves of
+/// now; so they do where a host lets go of a vessel that they may have met. A leap of more than a
+/// day ahead is not sailed.
 ///
 /// Without either the sea is a function of t alone. Wakes are there for a span of time (WakeKeeper,
 /// WakeAttention), brought on by a thread of the sea's own where somebody asks near them
@@ -104,6 +113,8 @@ class ServedSea {
   /// are not there at `t` now, and for listeners near ripples that are those of a time more than
   /// half a second away.
   SampleStatus attend(double t, std::span<const WakeListener> listeners);
+  /// Whether the scene has vessels that sail by themselves, in steps: somebody has to `attend`.
+  bool hasFreeVessels() const noexcept { return scene_.latest()->anyFree; }
   /// The time that was asked for last, s; 0 before any.
   double lastTime() const { return lastTime_; }
   /// Waits until wakes, and what lies on the water, are as they were called for before: true; not
@@ -124,6 +135,17 @@ class ServedSea {
   void publish();
   void keepWakes(const std::stop_token& stop);
   void bringWakes(std::unique_ptr<WakeKeeper>& keeper, std::unique_lock<std::mutex>& lock);
+  void attendSailing(double t, std::chrono::steady_clock::time_point now);
+  void keepSailing(const std::stop_token& stop);
+  void bringSailing(std::unique_ptr<FreeSailing>& sailing, std::unique_lock<std::mutex>& lock,
+                    const std::stop_token& stop);
+  std::vector<PlacedVessel> hostedAt(double t) const;
+  std::shared_ptr<const WaveField> hostWaves();
+  bool knowsFree(double t) const;
+  glm::dvec2 freePlace(std::size_t vessel, double t, double& reach) const;
+  struct DetailKeeping;
+  std::optional<double> detailTime(const FreeVoyage* voyage) const;
+  void bringDetail(DetailKeeping& keeping, std::unique_lock<std::mutex>& lock);
   SampleStatus attendDetail(double t, std::span<const WakeListener> listeners,
                             std::chrono::steady_clock::time_point now);
   void keepDetail(const std::stop_token& stop);
@@ -160,17 +182,26 @@ class ServedSea {
   std::vector<std::uint32_t> near_;
   WakeFigures figures_;
 
-  // The same of what lies on the water.
-  struct DetailAsked {
+  // The same of other threads: the latest time asked for lately.
+  struct Asked {
     double time = -std::numeric_limits<double>::infinity();
     std::chrono::steady_clock::time_point heard{};
     std::uint64_t calls = 0, answers = 0;
     bool wanted = false;
+
+    bool follow(double t, std::chrono::steady_clock::time_point now);
+    bool call();  // true: nobody has before
+  };
+  struct DetailAsked : Asked {
+    bool anyGuests = false;  // hosts' hulls have left trails
     std::optional<SceneDetail::Span> brought;
     std::vector<EffectReport> effects;
   } detailAsked_;
+  Asked sailingAsked_;
+  bool tooFarToSail_ = false;
+  std::shared_ptr<const FreeVoyage> voyage_;  // of noted_; null without free vessels
 
-  std::jthread thread_, detailThread_;  // go first
+  std::jthread thread_, detailThread_, sailingThread_;  // go first
 };
 
 }  // namespace seaway::bridge

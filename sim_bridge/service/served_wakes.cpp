@@ -46,12 +46,17 @@ void ServedSea::findNear(double t, const WakeListener& listener,
   for (std::size_t i = 0; i < noted_->vessels.size(); ++i) {
     const ServedVessel& vessel = noted_->vessels[i];
     if (!vessel.makesWaves || (anyHosted && hosted[i])) continue;
-    add(vessel.course.at(t).position, vessel.reach, ServedScene::handleOf(i));
+    double reach = vessel.reach;
+    const bool free = vessel.free && t >= 0.0;
+    const glm::dvec2 place = free ? freePlace(i, t, reach) : vessel.course.at(t).position;
+    add(place, reach, ServedScene::handleOf(i));
   }
 }
 
 // Under noting_.
 bool ServedSea::isBrought(double t, std::uint32_t wake) const {
+  constexpr std::uint32_t first = ServedScene::handleOf(0);
+  if (wake >= first && noted_->vessels[wake - first].free && !knowsFree(t)) return false;
   return t >= coveredFrom_ && t <= coveredTo_ && broughtWakes_.contains(wake);
 }
 
@@ -60,6 +65,7 @@ SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners
   lastTime_.store(t, std::memory_order_relaxed);
   const auto now = WakeAttention::Clock::now();
   const std::lock_guard lock(noting_);
+  attendSailing(t, now);
   const SampleStatus detail = attendDetail(t, listeners, now);
   if (!noted_->wakesAllowed) return detail;
   bool brought = true;
@@ -79,10 +85,17 @@ SampleStatus ServedSea::attend(double t, std::span<const WakeListener> listeners
 
 bool ServedSea::awaitWakes(double seconds) const {
   std::unique_lock lock(noting_);
-  const std::uint64_t mine = calls_, mineOfDetail = detailAsked_.calls;
-  return brought_.wait_for(lock, std::chrono::duration<double>(seconds), [&] {
-    return answers_ >= mine && detailAsked_.answers >= mineOfDetail;
-  });
+  const auto end = std::chrono::steady_clock::now() +
+                   std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                       std::chrono::duration<double>(seconds));
+  const std::uint64_t voyages = sailingAsked_.calls;
+  if (!brought_.wait_until(lock, end, [&] { return sailingAsked_.answers >= voyages; })) {
+    return false;
+  }
+  // Those that the voyage has called for among them.
+  const std::uint64_t wakes = calls_, details = detailAsked_.calls;
+  return brought_.wait_until(lock, end,
+                             [&] { return answers_ >= wakes && detailAsked_.answers >= details; });
 }
 
 std::optional<std::pair<double, double>> ServedSea::wakeSpan() const {
@@ -102,7 +115,7 @@ void ServedSea::keepWakes(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const auto isWanted = [&] { return wanted_; };
     if (fleet_.size() == 0 && figures_.running == 0) {
-      called_.wait(lock, stop, isWanted);
+      called_.wait(lock, stop, [&] { return wanted_ || fleet_.size() > 0; });
     } else {
       called_.wait_for(lock, stop, lookRound, isWanted);
     }
@@ -131,6 +144,7 @@ void ServedSea::bringWakes(std::unique_ptr<WakeKeeper>& keeper,
   const bool isNew = !keeper || &keeper->scene() != scene.get();
   if (isNew) fleet_.retell();
   const auto news = fleet_.takeNews();
+  const auto voyage = voyage_;
   const std::vector<bool> hosted = hostedVessels();
   near_.clear();
   for (const WakeListener& listener : call.listeners) findNear(call.time, listener, near_);
@@ -141,7 +155,8 @@ void ServedSea::bringWakes(std::unique_ptr<WakeKeeper>& keeper,
     setFeed(keeper->feed(), *scene);
   }
   keeper->hear(news);
-  call.listeners.empty() ? keeper->rest() : keeper->advance(call.time, call.listeners, hosted);
+  call.listeners.empty() ? keeper->rest()
+                         : keeper->advance(call.time, call.listeners, hosted, voyage.get());
   const auto state = keeper->latest();
   const WakeFigures figures{keeper->running(), keeper->running() ? keeper->memoryBytes() : 0};
   lock.lock();

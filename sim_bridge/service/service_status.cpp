@@ -29,6 +29,8 @@ VesselFigures figuresOf(const ServedHull& hull, const ServedMoment& moment,
   const GeodeticPosition at = geodesy.geodeticFromSeaPlane(hull.pose.position);
   return {moment.scene->scene.vessels[hull.vessel].name,
           hull.hull != 0,
+          moment.scene->vessels[hull.vessel].free,
+          hull.outOfTime,
           at.latitude_deg,
           at.longitude_deg,
           geodesy.trueHeadingFromDirection(hull.pose.position, hull.pose.direction),
@@ -73,6 +75,8 @@ std::vector<EffectReport> ServiceStatus::effects() const {
   tell(Effect::waves, !surface->waves().octaves().empty(), "whoever asks is told of them",
        "flat water: the field has no octaves");
   all[static_cast<std::size_t>(Effect::waves)].memoryBytes = surface->waves().memoryBytes();
+  tell(Effect::hullLoads, sea_.hasFreeVessels(), "free vessels sail to the time asked for",
+       "no vessel's motion is free");
   tell(Effect::vesselMotion, !scene->vessels.empty(),
        "vessels lie on the water where no host places them", "the scene has no vessel");
   const std::vector<EffectReport> onWater = sea_.detailEffects();

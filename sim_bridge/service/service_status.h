@@ -30,7 +30,8 @@ struct EndpointLoad {
 /// A served vessel by where it is.
 struct VesselFigures {
   std::string name;
-  bool hosted = false;
+  bool hosted = false, free = false;
+  bool outOfTime = false;  ///< a free one that is not where it is now, as ServedHull
   double latitude_deg = 0.0, longitude_deg = 0.0, heading_deg = 0.0, height = 0.0;
 };
 

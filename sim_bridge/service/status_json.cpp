@@ -45,6 +45,8 @@ ordered_json asJson(const EffectReport& effect) {
 ordered_json asJson(const VesselFigures& vessel) {
   return {{"name", vessel.name},
           {"hosted", vessel.hosted},
+          {"free", vessel.free},
+          {"out_of_time", vessel.outOfTime},
           {"latitude_deg", vessel.latitude_deg},
           {"longitude_deg", vessel.longitude_deg},
           {"heading_deg", vessel.heading_deg},

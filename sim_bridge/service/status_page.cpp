@@ -144,8 +144,12 @@ std::string vesselsSection(const ServiceFigures& figures) {
     rows += fmt::format(
         "<tr><td>{}</td><td class=\"text\">{}</td><td>{:.5f}°</td><td>{:.5f}°</td><td>{:.0f}°</td>"
         "<td>{:.2f} m</td></tr>",
-        htmlEscaped(vessel.name), vessel.hosted ? "a host" : "its course", vessel.latitude_deg,
-        vessel.longitude_deg, vessel.heading_deg, vessel.height);
+        htmlEscaped(vessel.name),
+        vessel.hosted      ? "a host"
+        : vessel.outOfTime ? "itself, at another time"
+        : vessel.free      ? "itself"
+                           : "its course",
+        vessel.latitude_deg, vessel.longitude_deg, vessel.heading_deg, vessel.height);
   }
   return "<section id=\"vessels\" class=\"wide\"><h2>Vessels</h2><table><tr><th>vessel</th><th "
          "class=\"text\">sailed by</th><th>latitude</th><th>longitude</th><th>heading</th>"

@@ -1,5 +1,6 @@
 #include "sim_bridge/service/wake_keeper.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -52,13 +53,24 @@ void WakeKeeper::hear(const std::map<std::uint32_t, HullNews>& news) {
   }
 }
 
-void WakeKeeper::sail(std::size_t index, double t) {
+void WakeKeeper::leaveCourse(std::size_t index) {
+  if (std::exchange(onCourse_[index].begun, false)) {
+    system_.dropVessel(ServedScene::handleOf(index));
+  }
+}
+
+void WakeKeeper::sail(std::size_t index, double t, const FreeVoyage* voyage) {
   const ServedVessel& vessel = scene_->vessels[index];
   const std::uint32_t handle = ServedScene::handleOf(index);
   OnCourse& log = onCourse_[index];
   const auto now = static_cast<long long>(std::floor(t / vessel.step + onGrid));
   const auto record = [&](long long step) {
     const double time = static_cast<double>(step) * vessel.step;
+    if (voyage) {
+      system_.record(handle,
+                     wakePoseOf(time, scene_->scene.vessels[index], voyage->vessels[index]));
+      return;
+    }
     const CoursePoint place = vessel.course.at(time);
     system_.record(handle, {time, place.position, place.direction,
                             scene_->scene.vessels[index].model.wake.strength});
@@ -67,26 +79,31 @@ void WakeKeeper::sail(std::size_t index, double t) {
     const auto memory = static_cast<long long>(system_.memory(handle) / vessel.step);
     if (now < log.first + memory ||
         now < log.last - static_cast<long long>(remembered / vessel.step) ||
-        now > log.last + memory) {
+        now > log.last + memory || (voyage && voyage->number != log.voyage)) {
       log.begun = false;
     }
   }
   if (!log.begun) {
     begin(handle, index);
     const auto memory = static_cast<long long>(system_.memory(handle) / vessel.step);
-    log = {true, now - memory - 1, now - memory - 2};
+    log = {true, now - memory - 1, now - memory - 2, voyage ? voyage->number : 0};
   }
   while (log.last < now) record(++log.last);
 }
 
 void WakeKeeper::advance(double t, std::span<const WakeListener> listeners,
-                         const std::vector<bool>& hosted) {
+                         const std::vector<bool>& hosted, const FreeVoyage* voyage) {
   for (std::size_t i = 0; i < onCourse_.size(); ++i) {
-    if (!scene_->vessels[i].makesWaves) continue;
-    if (!hosted[i]) {
-      sail(i, t);
-    } else if (std::exchange(onCourse_[i].begun, false)) {
-      system_.dropVessel(ServedScene::handleOf(i));
+    const ServedVessel& vessel = scene_->vessels[i];
+    if (!vessel.makesWaves) continue;
+    // A free vessel that is far behind has not yet been where it is now.
+    const bool there = !vessel.free || (voyage && voyage->time >= t - ofAnotherClock);
+    if (hosted[i] || !there) {
+      leaveCourse(i);
+    } else if (vessel.free) {
+      sail(i, std::min(t, voyage->time), voyage);
+    } else {
+      sail(i, t, nullptr);
     }
   }
   for (auto& [handle, hull] : ofHosts_) {

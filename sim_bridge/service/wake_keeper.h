@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim_bridge/service/free_voyage.h"
 #include "sim_bridge/service/served_fleet.h"
 #include "sim_bridge/service/served_scene.h"
 #include "surface/disturbance/wake_system.h"
@@ -30,7 +31,9 @@ class WakeKeeper {
   void hear(const std::map<std::uint32_t, HullNews>& news);
 
   /// Wakes at `t` for those who listen. Vessels that `hosted` names are not on their courses.
-  void advance(double t, std::span<const WakeListener> listeners, const std::vector<bool>& hosted);
+  /// Free ones are where `voyage` has them, as far as it goes; null: nowhere.
+  void advance(double t, std::span<const WakeListener> listeners, const std::vector<bool>& hosted,
+               const FreeVoyage* voyage);
   /// Nobody listens: all windows are let go.
   void rest();
 
@@ -38,13 +41,15 @@ class WakeKeeper {
   struct OnCourse {
     bool begun = false;
     long long first = 0, last = 0;  // steps of the finest window that the log holds
+    std::uint64_t voyage = 0;       // of a free vessel
   };
   struct OfHost {
     std::size_t vessel = 0;
     double latest = 0.0;  // time of the last pose, s
     bool begun = false;
   };
-  void sail(std::size_t index, double t);
+  void sail(std::size_t index, double t, const FreeVoyage* voyage);
+  void leaveCourse(std::size_t index);
   void begin(std::uint32_t handle, std::size_t vessel);
 
   std::shared_ptr<const ServedScene> scene_;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sim_bridge/vessel/pose_between.h"
 #include "surface/angles.h"
 #include "surface/constants.h"
 
@@ -16,14 +16,6 @@ constexpr double reckonedOn = 1.0;  // s after the last pose
 
 // A host far ahead of the steps is remembered this far, so that one that never steps costs no more.
 constexpr std::size_t mostPoses = 4096;
-
-VesselPose between(const VesselPose& a, const VesselPose& b, double u) {
-  return {glm::mix(a.position, b.position, u),
-          a.direction + u * std::remainder(b.direction - a.direction, 2.0 * pi),
-          glm::mix(a.height, b.height, u),
-          a.pitch + u * std::remainder(b.pitch - a.pitch, 2.0 * pi),
-          a.roll + u * std::remainder(b.roll - a.roll, 2.0 * pi)};
-}
 
 }  // namespace
 
@@ -61,7 +53,7 @@ VesselPose HostedVessel::at(double t) const {
   const bool jumps = glm::distance(a.pose.position, b.pose.position) > fastest * span;
   if (jumps) return isLast ? b.pose : a.pose;
   const double reached = isLast ? std::min(t, b.time + reckonedOn) : t;
-  VesselPose pose = between(a.pose, b.pose, (reached - a.time) / span);
+  VesselPose pose = poseBetween(a.pose, b.pose, (reached - a.time) / span);
   if (isLast) {  // attitudes are not reckoned on: they swing
     pose.height = b.pose.height;
     pose.pitch = b.pose.pitch;

@@ -54,6 +54,27 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// roundings of the peak. Measured largest: tests/surface/field_kernels_test.cpp.
 constexpr double kernelRounding = 4e-6;
 
+/// Writes samples of points that are all served: `blank` with the tile's heights and derivatives.
+void finishServed(const WaveField& field, std::span<const glm::dvec2> points,
+                  const SurfaceSample& blank, Quantities what, const Tile& tile,
+                  std::span<SurfaceSample> out) noexcept {
+  const bool derivatives = what != Quantities::height;
+  const float* height = tile.sum(0);
+  const float* slopeX = derivatives ? tile.sum(1) : nullptr;
+  const float* slopeY = derivatives ? tile.sum(2) : nullptr;
+  const float* rate = derivatives ? tile.sum(3) : nullptr;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    SurfaceSample& sample = out[p];
+    sample = blank;
+    sample.height = height[p];
+    if (derivatives) {
+      sample.slope = {slopeX[p], slopeY[p]};
+      sample.verticalVelocity = rate[p];
+    }
+    sample.bound = field.bound(glm::length(points[p]));
+  }
+}
+
 }  // namespace
 
 WaveField::WaveField(std::vector<Octave> octaves, const WaveFieldSettings& settings)
@@ -157,6 +178,10 @@ SurfaceSample WaveField::blank(glm::dvec2 point, double t,
 
 void WaveField::finish(std::span<const glm::dvec2> points, double t, const Selection& selection,
                        const Tile& tile, std::span<SurfaceSample> out) const noexcept {
+  if (tile.allServed() && serves({0.0, 0.0}, t) && selection.what != Quantities::orbital) {
+    finishServed(*this, points, blank({0.0, 0.0}, t, selection), selection.what, tile, out);
+    return;
+  }
   for (std::size_t p = 0; p < points.size(); ++p) {
     SurfaceSample sample = blank(points[p], t, selection);
     if (!std::isnan(sample.height)) {

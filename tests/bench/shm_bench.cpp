@@ -2,16 +2,12 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,11 +16,13 @@
 #include "sim_bridge/shm/sea_host.h"
 #include "sim_bridge/shm/seaway_shm.hpp"
 #include "sim_bridge/shm/shm_endpoint.h"
+#include "tests/bench/physics_host.h"
 
 // What shared memory adds to the evaluation of the water: a server in a process of its own, 1000
 // points, 12 octaves. `--table` runs the cases in turn, so that each has the machine as the others
 // have it, and prints medians, 99th percentiles and what is above the bare evaluation. `--host
-// SECONDS` is a physics engine that asks 1000 points every millisecond.
+// SECONDS` is a physics engine that asks 1000 points every millisecond, beside one that asks
+// nobody.
 namespace seaway::bridge::shm {
 namespace {
 
@@ -114,6 +112,10 @@ class Setup {
     sea_.surface()->sample(std::span(both_).first(count), time(), samples_);
     benchmark::DoNotOptimize(samples_.data());
     end();
+  }
+  void evaluateOnce() {
+    sea_.surface()->sample(both_, time(), samples_);
+    benchmark::DoNotOptimize(samples_.data());
   }
   /// Points written in place and heights read in place: what a host pays that has its own arrays
   /// there.
@@ -221,133 +223,14 @@ void printTable(const Spins& spins) {
   }
 }
 
-/// Counts of times by their length.
-class Histogram {
- public:
-  void add(double seconds) {
-    std::size_t i = 0;
-    while (i < ends.size() && 1e6 * seconds >= ends[i]) ++i;
-    ++counts_[i];
-    longest_ = std::max(longest_, seconds);
-  }
-  std::uint64_t inBucket(std::size_t i) const { return counts_[i]; }
-  double longest() const { return longest_; }
-  static constexpr std::array<double, 11> ends{10,  20,  50,  80,   100, 150,
-                                               200, 300, 500, 1000, 2000};  // us
-
- private:
-  std::array<std::uint64_t, ends.size() + 1> counts_{};
-  double longest_ = 0.0;
-};
-
-double residentMiB(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/statm");
-  double all = 0.0, resident = 0.0;
-  file >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
-}
-
-double nowSeconds() { return seaway_shm_now(); }
-
-void sleepUntil(double when) {
-  timespec at{};
-  at.tv_sec = static_cast<time_t>(when);
-  at.tv_nsec = static_cast<long>(1e9 * (when - static_cast<double>(at.tv_sec)));
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) != 0) {
-  }
-}
-
-/// How often the scheduler took the processor from threads of a process that were not done.
-std::uint64_t preemptions(pid_t process) {
-  const std::string word = "nonvoluntary_ctxt_switches:";
-  std::uint64_t sum = 0;
-  const std::filesystem::path tasks("/proc/" + std::to_string(process) + "/task");
-  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
-    std::ifstream file(task.path() / "status");
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with(word)) sum += std::stoull(line.substr(word.size()));
-    }
-  }
-  return sum;
-}
-
-/// Ticks whose answer came too late, by cause.
-class Misses {
- public:
-  explicit Misses(pid_t server) : server_(server) { look(); }
-  /// Once a second, so that a preemption is laid to a tick near it.
-  void look() { seen_ = preemptions(server_) + preemptions(getpid()); }
-  void add(double late, double call, double period) {
-    ++all_;
-    const std::uint64_t before = seen_;
-    look();
-    if (late > 0.5 * period) {
-      ++wokenLate_;
-    } else if (seen_ != before) {
-      ++preempted_;
-    } else {
-      // Ours, or a sleeper of ours that the scheduler let wait: on an idle machine ours.
-      if (++unexplained_ <= 20) {
-        std::printf("late: host woken %.0f us late, call %.0f us\n", 1e6 * late, 1e6 * call);
-      }
-    }
-  }
-  void print() const {
-    std::printf(
-        "missed: %d; %d: the host was woken late, %d: server or host was preempted within a "
-        "second, %d: neither (on an idle machine: ours)\n",
-        all_, wokenLate_, preempted_, unexplained_);
-  }
-
- private:
-  pid_t server_;
-  std::uint64_t seen_ = 0;
-  int all_ = 0, wokenLate_ = 0, preempted_ = 0, unexplained_ = 0;
-};
-
-/// The same evaluation in the host's own process after each call shows what the machine does to
-/// anybody.
-void runHost(double duration, const Spins& spins) {
-  constexpr double period = 1e-3;
+/// Beside it, in turn, the same evaluation in the host's own process: it takes as long and asks
+/// nobody.
+void runHost(const seaway::bench::PhysicsHostOptions& options, const Spins& spins) {
   Setup setup(spins);
-  Histogram wakes, calls, evaluations;
-  std::uint64_t ticks = 0, skipped = 0;
-  for (int i = 0; i < 1000; ++i) setup.inPlace(points), setup.evaluation(points);
-  const double memory = residentMiB(setup.server()), ownMemory = residentMiB(getpid());
-  Misses misses(setup.server());
-  const double start = nowSeconds();
-  for (double tick = start + period; tick < start + duration; tick += period, ++ticks) {
-    if (nowSeconds() > tick + period) {
-      ++skipped;
-      continue;
-    }
-    sleepUntil(tick);
-    const double late = nowSeconds() - tick;
-    wakes.add(late);
-    setup.inPlace(points, 0, ServerIs::asIs);
-    calls.add(setup.seconds());
-    if (nowSeconds() > tick + period) misses.add(late, setup.seconds(), period);
-    if (ticks % 1000 == 0) misses.look();
-    setup.evaluation(points);
-    evaluations.add(setup.seconds());
-  }
-  std::printf("%llu ticks of 1 ms, %u points, 12 octaves\n%12s %12s %12s %12s\n",
-              static_cast<unsigned long long>(ticks), points, "us below", "host wakes", "call",
-              "evaluation");
-  for (std::size_t i = 0; i <= Histogram::ends.size(); ++i) {
-    const bool last = i == Histogram::ends.size();
-    const std::string below = last ? "more" : std::to_string(static_cast<int>(Histogram::ends[i]));
-    std::printf("%12s %12llu %12llu %12llu\n", below.c_str(),
-                static_cast<unsigned long long>(wakes.inBucket(i)),
-                static_cast<unsigned long long>(calls.inBucket(i)),
-                static_cast<unsigned long long>(evaluations.inBucket(i)));
-  }
-  std::printf("longest, us  %12.0f %12.0f %12.0f\n", 1e6 * wakes.longest(), 1e6 * calls.longest(),
-              1e6 * evaluations.longest());
-  misses.print();
-  std::printf("ticks slept through: %llu\n", static_cast<unsigned long long>(skipped));
-  std::printf("resident MiB: server %.2f -> %.2f, host %.2f -> %.2f\n", memory,
-              residentMiB(setup.server()), ownMemory, residentMiB(getpid()));
+  std::printf("a host that asks 1000 points, 12 octaves, each ms for %.0f s\n", options.seconds);
+  seaway::bench::runPhysicsHost(
+      options, setup.server(), [&] { setup.inPlace(points, 0, ServerIs::asIs); },
+      [&] { setup.evaluateOnce(); });
 }
 
 }  // namespace
@@ -358,16 +241,17 @@ int main(int argc, char** argv) {
   CLI::App app("What shared memory costs; other options are Google Benchmark's");
   app.allow_extras();
   bool table = false;
-  double host = 0.0;
+  seaway::bench::PhysicsHostOptions host{.seconds = 0.0};
   Spins spins;
   app.add_flag("--table", table, "medians and 99th percentiles, above the evaluation");
-  app.add_option("--host", host, "s of a 1 kHz physics host");
+  app.add_option("--host", host.seconds, "s of a 1 kHz physics host");
+  app.add_option("--fifo", host.fifo, "its and the server's priority of SCHED_FIFO, 1 to 99");
   app.add_option("--server-spin", spins.server, "s");
   app.add_option("--client-spin", spins.client, "s");
   CLI11_PARSE(app, argc, argv);
   if (table) printTable(spins);
-  if (host > 0.0) runHost(host, spins);
-  if (table || host > 0.0) return 0;
+  if (host.seconds > 0.0) runHost(host, spins);
+  if (table || host.seconds > 0.0) return 0;
   benchmark::Initialize(&argc, argv);
   Setup setup(spins);
   for (const Case& one : cases) {

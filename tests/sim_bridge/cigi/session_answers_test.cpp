@@ -269,7 +269,8 @@ TEST_F(CigiAnswers, WavesThatCannotBeAndScopesThatAreNotServedAreCounted) {
            MaritimeSurfaceControl{.enabled = true, .height = nan}});
   EXPECT_EQ(water.waveChanges, 0);
   EXPECT_EQ(session->waterLevel(), 10.0);
-  EXPECT_EQ(counts[Count::unsupported], 6u);
+  EXPECT_EQ(counts[Count::unsupported], 4u);
+  EXPECT_EQ(counts[Count::otherScopes], 2u);
 }
 
 TEST_F(CigiAnswers, ActiveEntitiesAreToldToTheWaterInEachFrame) {

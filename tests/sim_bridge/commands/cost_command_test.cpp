@@ -49,6 +49,9 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   // the grid's size and by cost, two by technique, predicted against measured errors.
   EXPECT_EQ(figures, 17u);
   EXPECT_NE(page.find("vertices a side"), page.npos);
+  EXPECT_TRUE(test::readFile(folder / "cost/height_error.svg").find("<svg") != std::string::npos);
+  ASSERT_GE(report["advice"].size(), 3u);
+  EXPECT_NE(page.find(report["advice"][1].get<std::string>()), page.npos);
 }
 
 TEST(CostCommand, RefusesAFolderItCannotWriteBeforeAnyWork) {

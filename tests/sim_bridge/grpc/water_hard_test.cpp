@@ -1,15 +1,12 @@
-#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
 #include <asio.hpp>
-#include <random>
 #include <thread>
 
 #include "sim_bridge/grpc/address_fault.h"
 #include "sim_bridge/grpc/point_sampler.h"
-#include "sim_bridge/service/socket_address.h"
 #include "surface/input_error.h"
-#include "tests/sim_bridge/grpc/served_water.h"
+#include "tests/sim_bridge/grpc/raw_host.h"
 
 namespace seaway::bridge {
 namespace {
@@ -18,171 +15,11 @@ using namespace v1;
 using asio::ip::tcp;
 using test::Context;
 using test::eventually;
+using test::expectServed;
 using test::planeRequest;
+using test::preface;
+using test::RawHost;
 using test::ServedWater;
-
-/// A connection of bytes to a server.
-class RawHost {
- public:
-  explicit RawHost(const std::string& address) {
-    const SocketAddress to = parseSocketAddress("address", address);
-    socket_.connect(tcp::endpoint(asio::ip::make_address(to.host), to.port));
-  }
-  void send(const std::string& bytes) {
-    asio::error_code ignored;
-    asio::write(socket_, asio::buffer(bytes), ignored);
-  }
-  /// What comes until the server closes, or a first piece.
-  std::size_t receive() {
-    std::array<char, 4096> bytes;
-    asio::error_code ignored;
-    return socket_.read_some(asio::buffer(bytes), ignored);
-  }
-
- private:
-  asio::io_context io_;
-  tcp::socket socket_{io_};
-};
-
-/// Whether a well-behaved host gets its answer.
-void expectServed(ServedWater& water, double t = 1.0) {
-  Context context;
-  SampleResponse response;
-  const grpc::Status status = water.stub()->Sample(&context, planeRequest(t, 10), &response);
-  ASSERT_TRUE(status.ok()) << status.error_message();
-  EXPECT_EQ(response.height_m_size(), 10);
-}
-
-std::string frame(char type, char flags, char stream, const std::string& payload) {
-  const auto size = payload.size();
-  std::string bytes{static_cast<char>(size >> 16),
-                    static_cast<char>(size >> 8),
-                    static_cast<char>(size),
-                    type,
-                    flags,
-                    0,
-                    0,
-                    0,
-                    stream};
-  return bytes + payload;
-}
-
-const std::string preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
-
-TEST(WaterGrpcHard, GarbageOnTheWireHarmsNobodyElse) {
-  ServedWater water;
-  std::mt19937 random(7);
-  for (int i = 0; i < 60; ++i) {
-    RawHost host(water.server->address());
-    std::string bytes(1 + random() % 3000, '\0');
-    for (char& byte : bytes) byte = static_cast<char>(random());
-    switch (i % 4) {
-      case 0:
-        host.send(bytes);
-        break;
-      case 1:
-        host.send(preface + bytes);
-        break;
-      case 2:
-        host.send(preface + frame(4, 0, 0, "") + frame(1, 4, 1, bytes.substr(0, 100)));
-        break;
-      default:
-        host.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
-    }
-  }
-  expectServed(water);
-}
-
-/// Bytes in place of a message, on any method.
-grpc::Status callWithBytes(ServedWater& water, const std::string& method,
-                           const std::string& bytes) {
-  const auto channel = water.channel();
-  Context context;
-  const grpc::Slice slice(bytes);
-  grpc::ByteBuffer request(&slice, 1), response;
-  grpc::CompletionQueue queue;
-  grpc::GenericStub stub(channel);
-  const auto call = stub.PrepareUnaryCall(&context, method, request, &queue);
-  call->StartCall();
-  grpc::Status status;
-  void* tag = nullptr;
-  bool ok = false;
-  call->Finish(&response, &status, &tag);
-  queue.Next(&tag, &ok);
-  return status;
-}
-
-TEST(WaterGrpcHard, MessagesThatAreNoneAreRefusedAndCountedOnEveryMethod) {
-  ServedWater water;
-  const std::string bad = "\x1a\xff\xff\xff\x0f";  // a nested message of 32 MB that is not there
-  int expected = 0;
-  for (const char* method :
-       {"Sample", "SampleStream", "SubmitPoses", "Step", "Render", "Describe", "SetSeaState"}) {
-    const grpc::Status status =
-        callWithBytes(water, std::string("/seaway.v1.Water/") + method, bad);
-    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
-    EXPECT_NE(status.error_message().find("the request is no seaway.v1."), std::string::npos);
-    EXPECT_EQ(water.refused(Refusal::malformed), static_cast<std::uint64_t>(++expected));
-  }
-  EXPECT_EQ(callWithBytes(water, "/seaway.v1.Water/Sink", bad).error_code(),
-            grpc::StatusCode::UNIMPLEMENTED);
-  expectServed(water);
-}
-
-TEST(WaterGrpcHard, RandomBytesAsMessagesNeverCrash) {
-  ServedWater water;
-  std::mt19937 random(11);
-  const std::string sound = planeRequest(1.0, 5).SerializeAsString();
-  for (int i = 0; i < 300; ++i) {
-    std::string bytes = sound;
-    for (int k = 0; k < 1 + i % 5; ++k) {
-      bytes[random() % bytes.size()] = static_cast<char>(random());
-    }
-    if (i % 3 == 0) bytes.resize(random() % bytes.size());
-    callWithBytes(water, "/seaway.v1.Water/Sample", bytes);
-  }
-  expectServed(water);
-}
-
-TEST(WaterGrpcHard, AMillionPointsAreRefusedWithTheLimit) {
-  ServedWater water;
-  const SampleRequest request = planeRequest(1.0, 1'000'000);
-  Context context;
-  SampleResponse response;
-  const grpc::Status status = water.stub()->Sample(&context, request, &response);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(status.error_message(),
-            "points: 1000000 are not allowed in one request; at most 250000 (--grpc-most-points): "
-            "split the batch");
-  EXPECT_EQ(water.refused(Refusal::tooLarge), 1u);
-  expectServed(water);
-}
-
-TEST(WaterGrpcHard, AMessageBeyondTheTransportsLimitIsRefusedToo) {
-  rpc::RpcServerOptions options;
-  options.mostMessageBytes = 1 << 16;
-  ServedWater water(test::wakelessText(), {}, options);
-  Context context;
-  SampleResponse response;
-  const grpc::Status status = water.stub()->Sample(&context, planeRequest(1.0, 50'000), &response);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  expectServed(water);
-}
-
-TEST(WaterGrpcHard, AMessageSomewhatTooLongIsRefusedWithTheLimitAndCounted) {
-  rpc::RpcServerOptions options;
-  options.mostMessageBytes = 1 << 16;
-  ServedWater water(test::wakelessText(), {}, options);
-  Context context;
-  SampleResponse response;
-  const SampleRequest request = planeRequest(1.0, 5000);  // 16 bytes a point
-  const grpc::Status status = water.stub()->Sample(&context, request, &response);
-  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(status.error_message(), "the message has " + std::to_string(request.ByteSizeLong()) +
-                                        " bytes; at most 65536 are allowed");
-  EXPECT_EQ(water.refused(Refusal::tooLarge), 1u);
-  expectServed(water);
-}
 
 TEST(WaterGrpcHard, ADeadlineEndsALargeBatchBetweenItsPieces) {
   rpc::WaterLimits limits;

@@ -7,32 +7,13 @@
 
 #include "sim_bridge/grpc/xdyn_spectrum.h"
 #include "surface/water_kinematics.h"
-#include "tests/sim_bridge/grpc/served_water.h"
-#include "wave_grpc.grpc.pb.h"
+#include "tests/sim_bridge/grpc/served_waves.h"
 
 namespace seaway::bridge {
 namespace {
 
 using test::Context;
-
-struct ServedWaves {
-  explicit ServedWaves(const std::string& text = test::wakelessText()) : waters(text) {
-    rpc::addXdynService(server, waves);
-    server.bind();
-    server.start();
-    stub =
-        Waves::NewStub(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
-  }
-
-  test::ServedWaters waters;
-  rpc::XdynWaves waves{waters.sea, 1000};
-  rpc::RpcServer server{{.option = "--xdyn",
-                         .address = "127.0.0.1:0",
-                         .credentials = grpc::InsecureServerCredentials(),
-                         .token = ""},
-                        waters.sea.meters().of("xdyn")};
-  std::unique_ptr<Waves::Stub> stub;
-};
+using test::ServedWaves;
 
 TEST(XdynWaves, ElevationsAreOurHeightsDownwardsWithXNorthAndYEast) {
   ServedWaves served;

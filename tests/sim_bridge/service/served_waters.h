@@ -35,8 +35,36 @@ inline const std::string oilAndRipples =
     "cover: 0.9}]\n"
     "ripples: [{place: {latitude_deg: 0.0004, longitude_deg: 0.0004}, height_m: 0.05}]\n";
 
+/// A hull of 120 triangles with a propeller and a rudder.
+inline const std::string drivenVessel = R"(hull:
+  length_m: 12
+  beam_m: 3.0
+  depth_m: 1.8
+  mass_kg: 13131
+  centre_of_gravity_above_keel_m: 0.9
+mesh: {source: "wigley:12,3,0.8,1", triangles: 120, form_drag: 0.2, level: mesh}
+propeller: {diameter_m: 0.6, position_m: [-5, 0, -0.45], most_revolutions_s: 25}
+rudder: {area_m2: 0.35, position_m: [-5.6, 0, -0.4], most_rate_deg_s: 15}
+)";
+
+/// A free launch that steers north from the origin and then east, another moored abeam of its way.
+inline std::string freeScene(const std::string& more = "", const std::string& depth = "") {
+  return "sea: {anchor: {latitude_deg: 0, longitude_deg: 0}, " + depth +
+         "state: {jonswap: {hm0_m: 0.4, tp_s: 4, from_deg: 30, spread_s: 10, octaves: 8}}}\n"
+         "vessels:\n"
+         "  - {name: pilot, model: driven.yaml, motion: free, start: {latitude_deg: 0, "
+         "longitude_deg: 0, heading_deg: 0}, speed_m_s: 4, waypoints: [{latitude_deg: 0.0006, "
+         "longitude_deg: 0}, {latitude_deg: 0.0006, longitude_deg: 0.01}]}\n"
+         "  - {name: moored, model: launch.yaml, start: {latitude_deg: 0.0004, longitude_deg: "
+         "0.00015}}\n"
+         "cameras:\n  - {name: bow, mount: pilot, position_m: [3, 0, 3]}\n"
+         "accuracy: {wakes: {cell_m: 1, window_m: 128}}\n" +
+         more + "run: {step_s: 0.05, size: [64, 48]}\n";
+}
+
 inline Scene loadText(const std::string& text) {
   const TempFolder folder;
+  folder.write("driven.yaml", drivenVessel);
   folder.write("launch.yaml", vesselText());
   return loadScene(folder.write("scene.yaml", text));
 }
