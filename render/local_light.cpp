@@ -124,9 +124,11 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   const auto fill = [&](const ShadingConstants& constants, LocalImage& image) {
     image.size = {0, 0};
     if (triangles_.empty()) return;
-    ShadingSources with = sources;
     draw({view.camera, terrain, WaterSide::depths},
-         {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
+         {.constants = constants,
+          .sky = sources.sky,
+          .shadows = sources.shadows,
+          .shadowWidth = sources.shadowWidth},
          image);
   };
   ground_.clear();
@@ -137,7 +139,9 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   fill(sources.constants, depths_);
   triangles_.clear();
   const std::size_t texels = window_.texels.capacity() + depths_.texels.capacity();
-  view.effects->holdMemory(Effect::underWater, texels * sizeof(glm::vec4));
+  constexpr std::size_t side = ShadingConstants::waterlineCells + 1;
+  const std::size_t line = sources.constants.waterlineIsOn ? side * side * sizeof(float) : 0;
+  view.effects->holdMemory(Effect::underWater, texels * sizeof(glm::vec4) + line);
 }
 
 /// Makes a span of a row of the two strips ready to be shaded: the nearer of objects and ground.
@@ -176,8 +180,10 @@ void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
   lit.hazeIsOn = false;
   lit.lampCount = 0;  // places are not known here
   lit.cameraIsUnderWater = lit.waterlineIsOn = false;
-  const ShadingSources light{lit,     sources.sky, nullptr,         nullptr,
-                             nullptr, nullptr,     sources.shadows, sources.shadowWidth};
+  const ShadingSources light{.constants = lit,
+                             .sky = sources.sky,
+                             .shadows = sources.shadows,
+                             .shadowWidth = sources.shadowWidth};
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip, ground;

@@ -88,7 +88,7 @@ std::vector<ShadowMaps::Caster> ShadowMaps::castersOf(const View& view) const {
   return casters;
 }
 
-void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
+void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle, int mostTexels) {
   maps_.clear();
   size_ = {0, 0};
   Box boxes[most];
@@ -112,7 +112,7 @@ void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
     const double extent = extentOf(boxes[i]);
     if (!(extent > 0.0) || (i + 1 < most && extent > 0.5 * extentOf(boxes[i + 1]))) continue;
     // No finer than half a pixel where the nearest shadow may be.
-    const double texel = std::max({extent / side, 0.5 * pixelAngle * nearest[i], finest});
+    const double texel = std::max({extent / mostTexels, 0.5 * pixelAngle * nearest[i], finest});
     const glm::ivec2 size =
         glm::ivec2(glm::ceil((boxes[i].most - boxes[i].least) / texel)) + 1 + 2 * margin;
     maps_.push_back({boxes[i].least / texel - double{margin}, texel, size, size_.y});
@@ -184,7 +184,8 @@ void ShadowMaps::draw() {
   }
 }
 
-void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting) {
+void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting,
+                      int mostTexels) {
   const bool isUp = lighting.sunIsOn && lighting.sunDirection.z > lowestSun;
   const bool falls = shown.water || shown.objects;  // on something
   std::vector<Caster> casters;
@@ -202,7 +203,7 @@ void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& ligh
     *this = {};
     return;
   }
-  place(casters, view.camera.pixelAngle());
+  place(casters, view.camera.pixelAngle(), mostTexels);
   gather(casters);
   draw();
   view.effects->holdMemory(Effect::shadows, texels_.capacity() * sizeof(float) +
