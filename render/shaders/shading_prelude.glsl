@@ -142,6 +142,8 @@ vec3 localLight(sampler2D map, vec2 at, vec2 size, inout float part) {
 float mirrorNearness(vec2 pixel) {
   return localTexel(mirrorMap, floor(pixel + 0.5) - mirrorLeast, mirrorSize).w;
 }
+// Whether what is mirrored may show between two pixels.
+bool mirrorMayShow(vec2 from, vec2 to, float asked) { return asked > 0.0; }
 vec3 mirrorLight(vec2 pixel, inout float part) {
   return localLight(mirrorMap, pixel - mirrorLeast, mirrorSize, part);
 }
@@ -165,6 +167,8 @@ vec3 depthsLight(vec2 pixel, inout float part) {
 
 uniform sampler2D shadowMap;     // ShadowMaps
 uniform sampler2D waterlineMap;  // Waterline: top row first
+// Whether a shadow may fall on a place of map i.
+bool shadowMayFall(int i, vec2 at, float asked) { return asked > 0.0; }
 float shadowHeight(float column, float row) {
   return texelFetch(shadowMap, ivec2(column, row), 0).r;
 }

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <span>
 
+#include "render/cover_tiles.h"
 #include "render/local_image.h"
 #include "render/render_technique.h"
 #include "render/shading/shading_constants.h"
@@ -56,6 +58,7 @@ struct ShadingSources {
   const LocalImage* depths = nullptr;    ///< read where constants.depthsAreOn
   const float* shadows = nullptr;        ///< ShadowMaps::texels, where constants.shadowCount > 0
   int shadowWidth = 0;                   ///< texels from row to row
+  const CoverTiles* shadowTiles = nullptr;  ///< ShadowMaps::tiles; null: shadows may fall anywhere
   const float* waterline = nullptr;      ///< Waterline::heights, where constants.waterlineIsOn
 };
 
@@ -82,6 +85,9 @@ void foamParts(const ShadingSources& sources, const PixelSpan& span, float* part
 /// mean-square slope of all that a pixel cannot show, its roughness. For tests of the statistics;
 /// `seen` as `radiance` below.
 void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen);
+
+/// The same as RGB9E5 words, of which none is 0. `words` is writable up to the next multiple of 16.
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint32_t* words);
 
 /// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);

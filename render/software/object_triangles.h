@@ -68,6 +68,7 @@ class ObjectTriangles {
     float level = 0.0f, scale = 1.0f;  // of PixelSpan's place
   };
   struct Window;
+  struct Bent;
   struct Half {
     WaterSide side;
     float level;  // relative to the camera, m
@@ -75,7 +76,7 @@ class ObjectTriangles {
   void add(const SceneObject& object, const Camera& camera, const Half* half);
   void add(const glm::vec3 (&corners)[3], const Face& face, const ScreenProjection& projection,
            bool mirrored);
-  void addBent(const glm::vec3 (&corners)[3], const Face& face, const Window& window, int splits);
+  void addBent(const Bent (&corners)[3], const Face& face, const Window& window, int splits);
 
   std::vector<ScreenTriangle> triangles_;
   std::vector<Face> faces_;  // of object number − 1

@@ -99,10 +99,10 @@ TEST(LocalLight, NothingBelowTheWaterLeaksIntoTheMirror) {
     double least = 1e9, most = -1e9;
     for (int y = 0; y < image.size.y; ++y) {
       for (int x = 0; x < image.size.x; ++x) {
-        const glm::vec4 texel = image.texels[static_cast<std::size_t>(y) * image.size.x + x];
-        if (texel.w == 0.0f) continue;
+        const float nearness = image.nearness[static_cast<std::size_t>(y) * image.size.x + x];
+        if (nearness == 0.0f) continue;
         const glm::dvec3 ray = stage.camera.rayThrough(glm::dvec2(image.least + glm::ivec2(x, y)));
-        const double range = 1.0 / (texel.w * glm::dot(ray, stage.camera.forward()));
+        const double range = 1.0 / (nearness * glm::dot(ray, stage.camera.forward()));
         least = std::min(least, stage.camera.position.z + range * ray.z);
         most = std::max(most, stage.camera.position.z + range * ray.z);
       }
@@ -125,9 +125,9 @@ TEST(LocalLight, SeenStraightDownThingsLieAtTheirDepthOverTheIndex) {
   stage.objects = {{&mesh, {0.0, 0.0, -4.0}, {1, 0, 0, 0}}};
   const LocalImage below = stage.pictures().below();
   const glm::ivec2 middle = glm::ivec2(50, 50) - below.least;
-  const glm::vec4 texel =
-      below.texels[static_cast<std::size_t>(middle.y) * below.size.x + middle.x];
-  EXPECT_NEAR(1.0 / texel.w, 5.0 + 4.0 / seaWaterIndex, 1e-5 * 8.0);  // floats of 8 m
+  const float nearness =
+      below.nearness[static_cast<std::size_t>(middle.y) * below.size.x + middle.x];
+  EXPECT_NEAR(1.0 / nearness, 5.0 + 4.0 / seaWaterIndex, 1e-5 * 8.0);  // floats of 8 m
 }
 
 TEST(LocalLight, RedIsGoneAfterFourAndAHalfMetresOfClearWater) {
@@ -226,7 +226,10 @@ TEST(LocalLightHard, CamerasInTheWaterPlaneAndThingsAshoreDrawNumbers) {
                               [](float d) { return std::isnan(d); }),
                 0);
       for (const LocalImage& image : {stage.pictures().mirrored(), stage.pictures().below()}) {
-        for (const glm::vec4& texel : image.texels) ASSERT_TRUE(std::isfinite(texel.w + texel.x));
+        for (std::size_t i = 0; i < image.light.size(); ++i) {
+          ASSERT_TRUE(std::isfinite(image.nearness[i] + image.radiance(i).x));
+          ASSERT_EQ(image.light[i] == 0, image.nearness[i] == 0.0f);
+        }
       }
     }
   }
