@@ -100,9 +100,11 @@ void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSo
     }
     hold(view, effect, image);
   };
-  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it", mirrored_);
+  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it",
+         mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
-  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view", below_);
+  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view",
+         below_);
   if (!mayShow) triangles_ = {};
   if (!terrain.isShown()) ground_ = {};
 }
@@ -125,9 +127,11 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   const auto fill = [&](const ShadingConstants& constants, LocalImage& image) {
     image.size = {0, 0};
     if (triangles_.empty()) return;
-    ShadingSources with = sources;
     draw({view.camera, terrain, WaterSide::depths},
-         {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
+         {.constants = constants,
+          .sky = sources.sky,
+          .shadows = sources.shadows,
+          .shadowWidth = sources.shadowWidth},
          image);
   };
   ground_.clear();
@@ -137,7 +141,10 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   triangles_.fill(view.objects, view.camera, WaterSide::depths, levels);
   fill(sources.constants, depths_);
   triangles_.clear();
-  view.effects->holdMemory(Effect::underWater, window_.memoryBytes() + depths_.memoryBytes());
+  constexpr std::size_t side = ShadingConstants::waterlineCells + 1;
+  const std::size_t line = sources.constants.waterlineIsOn ? side * side * sizeof(float) : 0;
+  view.effects->holdMemory(Effect::underWater,
+                           window_.memoryBytes() + depths_.memoryBytes() + line);
 }
 
 /// Makes a span of a row of the two strips ready to be shaded: the nearer of objects and ground.
@@ -161,8 +168,7 @@ void LocalLight::fillSpan(const Drawn& drawn, const Strip& objects, const Strip&
   }
 }
 
-void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
-                      LocalImage& image) const {
+void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources, LocalImage& image) const {
   const glm::ivec2 picture = drawn.camera.size;
   const PixelBox ofObjects = triangles_.boxIn(picture), ofGround = ground_.boxIn(picture);
   PixelBox box = ground_.empty() ? ofObjects : ofGround;
@@ -176,8 +182,10 @@ void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
   lit.hazeIsOn = false;
   lit.lampCount = 0;  // places are not known here
   lit.cameraIsUnderWater = lit.waterlineIsOn = false;
-  const ShadingSources with{lit,     sources.sky, nullptr,         nullptr,
-                            nullptr, nullptr,     sources.shadows, sources.shadowWidth};
+  const ShadingSources with{.constants = lit,
+                            .sky = sources.sky,
+                            .shadows = sources.shadows,
+                            .shadowWidth = sources.shadowWidth};
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip, ground;

@@ -104,7 +104,7 @@ void ShadowMaps::trim(Box& box, double texel) const {
   box.least = glm::min(box.least + glm::max(spare, glm::dvec2(0.0)) * texel, box.most);
 }
 
-void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
+void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle, int mostTexels) {
   maps_.clear();
   size_ = {0, 0};
   Box boxes[most];
@@ -128,7 +128,7 @@ void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
     const double extent = extentOf(boxes[i]);
     if (!(extent > 0.0) || (i + 1 < most && extent > 0.5 * extentOf(boxes[i + 1]))) continue;
     // No finer than half a pixel where the nearest shadow may be.
-    const double texel = std::max({extent / side, 0.5 * pixelAngle * nearest[i], finest});
+    const double texel = std::max({extent / mostTexels, 0.5 * pixelAngle * nearest[i], finest});
     if (i + 1 == most) trim(boxes[i], texel);
     const glm::ivec2 size =
         glm::ivec2(glm::ceil((boxes[i].most - boxes[i].least) / texel)) + 1 + 2 * margin;
@@ -203,7 +203,8 @@ void ShadowMaps::draw() {
   }
 }
 
-void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting) {
+void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting,
+                      int mostTexels) {
   const bool isUp = lighting.sunIsOn && lighting.sunDirection.z > lowestSun;
   const bool falls = shown.water || shown.objects;  // on something
   std::vector<Caster> casters;
@@ -222,7 +223,7 @@ void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& ligh
     return;
   }
   gather(casters);
-  place(casters, view.camera.pixelAngle());
+  place(casters, view.camera.pixelAngle(), mostTexels);
   draw();
   view.effects->holdMemory(Effect::shadows, texels_.capacity() * sizeof(float) +
                                                 triangles_.capacity() * sizeof(Triangle));

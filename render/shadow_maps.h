@@ -24,11 +24,11 @@ namespace seaway::render {
 class ShadowMaps {
  public:
   static constexpr int most = ShadingConstants::mostShadowMaps;
-  static constexpr int side = 1024;  ///< texels, without a margin
+  static constexpr int side = 1024;  ///< texels at the most, without a margin
 
   /// Decides with the view's ledger and draws the maps where they are called for; else holds
   /// nothing. Needs no OpenGL.
-  void fill(const View& view, const Shown& shown, const Lighting& lighting);
+  void fill(const View& view, const Shown& shown, const Lighting& lighting, int mostTexels = side);
   /// Tells shading what is there.
   void setConstants(ShadingConstants& constants) const;
 
@@ -60,7 +60,7 @@ class ShadowMaps {
   };
   void aim(const View& view, const Lighting& lighting);
   std::vector<Caster> castersOf(const View& view) const;
-  void place(std::span<const Caster> casters, double pixelAngle);
+  void place(std::span<const Caster> casters, double pixelAngle, int mostTexels);
   void trim(Box& box, double texel) const;
   void gather(std::span<const Caster> casters);
   void add(const glm::dvec3* corners, int count, double level);

@@ -18,12 +18,13 @@
 #ifndef SEAWAY_TONE_TABLE
 #define SEAWAY_TONE_TABLE
 namespace seaway::render {
-/// sRGB bytes of exposed radiance, by its root: the root spreads the steps so that none is larger
-/// than a third of a byte. Two more bytes than steps, for fetches of words.
+/// 256 times the sRGB bytes of exposed radiance, by its root: the root spreads the steps so that
+/// none is larger than a third of a byte, of a linear curve near black than two thirds. One more
+/// than steps, for fetches of words.
 struct ToneTable {
   static constexpr int steps = 8192;
   static constexpr float perRoot = 2048.0f;  // up to 16, which is white
-  std::array<std::uint8_t, steps + 4> bytes{};
+  std::array<std::uint16_t, steps + 1> fine{};
 };
 }  // namespace seaway::render
 #endif
@@ -39,7 +40,7 @@ using glm::vec3;
 struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
-  const float* foam;                            // null where foam is off
+  const float* foam;  // null where foam is off
   // Null where there are none.
   const LocalImage *mirrorImage, *belowImage, *windowImage, *depthsImage;
   const float *shadows, *waterline;
@@ -239,9 +240,9 @@ struct PixelShader : ShadingConstants {
 
 #define SHADER HWY_INLINE
 #define INOUT(type) type&
-#include "render/shading/rain_rings.glsl.h"
-#include "render/shading/optics.glsl.h"
 #include "render/shading/night_lights.glsl.h"
+#include "render/shading/optics.glsl.h"
+#include "render/shading/rain_rings.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
 #include "render/shading/shadows.glsl.h"
 #include "render/shading/under_water.glsl.h"
@@ -253,6 +254,20 @@ struct PixelShader : ShadingConstants {
 HWY_INLINE Mask isKind(VU kinds, ShadedAs kind) {
   const Words w;
   return {hn::RebindMask(Floats(), hn::Eq(kinds, hn::Set(w, static_cast<std::uint32_t>(kind))))};
+}
+
+/// What is added to ToneTable's numbers before they are cut to bytes: a half, or what dithers.
+HWY_INLINE VI roundings(PixelShader& shader, Real column, Real row) {
+  if (!shader.dithers) return setInt(128);
+  return toInt(floor(min(shader.ditherAt(column, row) * 256.0f, 255.0f)));
+}
+
+HWY_INLINE VI toneByte(const ToneTable& tones, Real exposed, VI rounding) {
+  const Real root = sqrt(max(exposed, 0.0f)) * ToneTable::perRoot;
+  const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
+  const auto* from = reinterpret_cast<const std::int32_t*>(tones.fine.data());
+  const VI word = hn::GatherOffset(Ints(), from, hn::ShiftLeft<1>(at));
+  return hn::ShiftRight<8>(hn::Add(hn::And(word, setInt(0xFFFF)), rounding));
 }
 
 HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
@@ -301,7 +316,7 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
     radiance = choose(
         object,
         shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance), place),
-               radiance);
+        radiance);
   }
   return radiance;
 }
@@ -331,9 +346,9 @@ void FoamParts(const ShadingSources& sources, const PixelSpan& span, float* part
     const Real axial = hn::Load(f, span.axial + i);
     const Real lying = span.hasCover ? Real(hn::Load(f, span.cover[0] + i)) : Real(0.0f);
     const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
-    const Real part = shader.foamPart(ray * axial, sqrt(dot(ray, ray)) * axial, slope,
-                                      hn::Load(f, span.missingSlope + i),
-                                      hn::Load(f, span.height + i), lying);
+    const Real part =
+        shader.foamPart(ray * axial, sqrt(dot(ray, ray)) * axial, slope,
+                        hn::Load(f, span.missingSlope + i), hn::Load(f, span.height + i), lying);
     const VU kinds = hn::Load(Words(), reinterpret_cast<const std::uint32_t*>(span.kind + i));
     hn::Store(choose(isKind(kinds, ShadedAs::water), part, Real(0.0f)).v, f, parts + i);
   }
@@ -362,31 +377,55 @@ void ShadeSpan(const ShadingSources& sources, const ToneTable& tones, const Pixe
   const int lanes = static_cast<int>(laneCount());
   PixelShader shader(sources);
   alignas(64) std::uint8_t colours[3 * pixelsPerSpan + 3 * 64];
-  const auto encode = [&](Real radiance) HWY_ATTR {
-    const Real root = sqrt(max(radiance * shader.exposure, 0.0f)) * ToneTable::perRoot;
-    const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
-    const auto* from = reinterpret_cast<const std::int32_t*>(tones.bytes.data());
-    const VI word = hn::GatherOffset(Ints(), from, at);
-    return hn::DemoteTo(bytes, hn::And(word, setInt(255)));
-  };
   for (int i = 0; i < span.count; i += lanes) {
     const Real3 radiance = radianceAt(shader, span, i);
+    const VI rounding = roundings(shader, hn::Iota(Floats(), static_cast<float>(span.first.x + i)),
+                                  Real(span.first.y));
+    const auto encode = [&](Real linear) HWY_ATTR {
+      return hn::DemoteTo(bytes, toneByte(tones, linear * shader.exposure, rounding));
+    };
     hn::StoreInterleaved3(encode(radiance.x), encode(radiance.y), encode(radiance.z), bytes,
                           colours + 3 * i);
   }
   std::memcpy(rgb, colours, 3 * static_cast<std::size_t>(span.count));
 }
 
-void FillTones(ToneTable& tones) {
-  const ShadingConstants constants;
+void MapTones(std::span<const glm::vec3> radiance, const ToneTable& tones,
+              const ToneMapping& mapping, glm::ivec2 first, std::uint8_t* rgb) {
+  ShadingConstants constants;
+  constants.dithers = mapping.dithers;
+  PixelShader shader(ShadingSources{constants});
+  const Floats f;
+  const std::size_t lanes = laneCount();
+  alignas(64) float column[16], exposed[3][16];
+  alignas(64) std::int32_t bytes[16];
+  for (std::size_t i = 0; i < radiance.size(); i += lanes) {
+    const std::size_t some = std::min(lanes, radiance.size() - i);
+    for (std::size_t k = 0; k < some; ++k) {
+      column[k] = static_cast<float>(first.x) + static_cast<float>(i + k);
+      for (int c = 0; c < 3; ++c) exposed[c][k] = radiance[i + k][c] * mapping.exposure;
+    }
+    const VI rounding = roundings(shader, hn::Load(f, column), Real(static_cast<float>(first.y)));
+    for (int c = 0; c < 3; ++c) {
+      hn::Store(toneByte(tones, hn::Load(f, exposed[c]), rounding), Ints(), bytes);
+      for (std::size_t k = 0; k < some; ++k) {
+        rgb[3 * (i + k) + c] = static_cast<std::uint8_t>(bytes[k]);
+      }
+    }
+  }
+}
+
+void FillTones(ToneCurve curve, ToneTable& tones) {
+  ShadingConstants constants;
+  constants.toneCurve = static_cast<int>(curve);
   PixelShader shader(ShadingSources{constants});
   for (int i = 0; i < ToneTable::steps; ++i) {
     const float root = static_cast<float>(i) / ToneTable::perRoot;
-    const Real3 shown = shader.filmic(Real3(glm::vec3(root * root)));
+    const Real3 shown = shader.toneMapped(Real3(glm::vec3(root * root)));
     const double linear = hn::GetLane(shown.x.v);
     const double encoded =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    tones.bytes[i] = static_cast<std::uint8_t>(255.0 * encoded + 0.5);
+    tones.fine[i] = static_cast<std::uint16_t>(256.0 * 255.0 * std::min(encoded, 1.0) + 0.5);
   }
 }
 
@@ -404,6 +443,7 @@ HWY_EXPORT(ShadeWords);
 HWY_EXPORT(FoamParts);
 HWY_EXPORT(SlopesSeen);
 HWY_EXPORT(FillTones);
+HWY_EXPORT(MapTones);
 
 void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen) {
   HWY_DYNAMIC_DISPATCH(SlopesSeen)(sources, span, seen);
@@ -419,29 +459,25 @@ void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint32
 
 namespace {
 
-const ToneTable& toneTable() {
-  static const ToneTable tones = [] {
-    ToneTable made;
-    HWY_DYNAMIC_DISPATCH(FillTones)(made);
+const ToneTable& toneTable(ToneCurve curve) {
+  static const auto tones = [] {
+    std::array<ToneTable, 3> made;
+    for (int i = 0; i < 3; ++i) HWY_DYNAMIC_DISPATCH(FillTones)(static_cast<ToneCurve>(i), made[i]);
     return made;
   }();
-  return tones;
+  return tones[static_cast<std::size_t>(curve)];
 }
 
 }  // namespace
 
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb) {
-  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, toneTable(), span, rgb);
+  const auto curve = static_cast<ToneCurve>(sources.constants.toneCurve);
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, toneTable(curve), span, rgb);
 }
 
-void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t* rgb) {
-  const ToneTable& tones = toneTable();
-  for (const glm::vec3& pixel : radiance) {
-    for (int c = 0; c < 3; ++c) {
-      const float root = std::sqrt(std::max(pixel[c] * exposure, 0.0f)) * ToneTable::perRoot;
-      *rgb++ = tones.bytes[static_cast<std::size_t>(std::min(root + 0.5f, ToneTable::steps - 1.0f))];
-    }
-  }
+void mapTones(std::span<const glm::vec3> radiance, const ToneMapping& tones, glm::ivec2 first,
+              std::uint8_t* rgb) {
+  HWY_DYNAMIC_DISPATCH(MapTones)(radiance, toneTable(tones.curve), tones, first, rgb);
 }
 
 void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts) {

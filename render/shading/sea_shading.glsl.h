@@ -441,14 +441,18 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real facing = max(dot(normal, sun), 0.0f) * 0.31830989f;
   if (shadowCount > 0) {
     if (anyOf(facing > 0.0f)) facing = facing * sunlitPart(place, normal);
-}
+  }
+  // Under water the sun's light is what the surface let in; the sky's fills Snell's window, 1/n² of
+  // the hemisphere, less 7 % that the surface mirrors, the water's own the rest.
+  facing = facing * mix(Real(1.0f), Real(sunThroughSurface), wetted);
   Real3 upper = Real3(normal.x, normal.y, normal.z + 1.2f);
   Real3 ambient = blurredSky(upper * inversesqrt(max(dot(upper, upper), 1e-12f)), Real(7.0f));
+  ambient = mix(ambient, ambient * 0.52f + Real3(veil) * 0.44f, wetted);
   Real3 lower = mix(Real3(0.06f * skyLight), Real3(veil), wetted);
   Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
-  // Light that has come down through the water.
-  Real3 colour = reflectance * light * leftInWater(depth);
+  // Light that has come down through the water, the way of the sun's.
+  Real3 colour = reflectance * light * leftInWater(depth * (1.0f / sunInWater.z));
   Real wet = submerged(relative);
   Real3 seen = hazed(colour, relative / distance, distance);
   if (lampCount > 0) seen = seen + lampsSeen(relative / distance, distance);
@@ -458,8 +462,19 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   return seen;
 }
 
-// Narkowicz' fit of the ACES curve, [0, 1].
-SHADER Real3 filmic(Real3 radiance) {
+// ToneCurve of what is exposed, [0, 1].
+SHADER Real3 toneMapped(Real3 radiance) {
   Real3 x = radiance * exposure;
-  return clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+  Real3 shown = x;
+  if (toneCurve == 0) shown = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+  if (toneCurve == 1) shown = x * (0.0625f * x + 1.0f) / (x + 1.0f);
+  return clamp(shown, 0.0f, 1.0f);
+}
+
+// Thresholds of [0, 1) for a pixel, evenly spread among neighbours (Jimenez 2014, "Next generation
+// post processing in Call of Duty", interleaved gradient noise).
+SHADER Real ditherAt(Real column, Real row) {
+  Real first = column * 0.06711056f + row * 0.00583715f;
+  Real second = 52.9829189f * (first - floor(first));
+  return second - floor(second);
 }

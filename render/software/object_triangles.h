@@ -43,10 +43,10 @@ class ObjectTriangles {
   std::span<const ScreenTriangle> triangles() const { return triangles_; }
 
   /// Least and largest axial distance, m.
-  std::pair<float, float> axialRange() const;
+  std::pair<float, float> axialRange() const { return axialRangeOf(triangles_); }
 
   /// Pixels of a picture that the triangles may touch.
-  PixelBox boxIn(glm::ivec2 picture) const;
+  PixelBox boxIn(glm::ivec2 picture) const { return boxOf(triangles_, picture); }
   /// Pixels of the strip that they may touch.
   PixelBox boxIn(const Strip& strip) const;
 

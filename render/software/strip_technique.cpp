@@ -74,6 +74,7 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   const glm::vec2 perPixel = 2.0f / glm::vec2(r.view.camera.size);
   const float upwards = 1.0f - (static_cast<float>(r.row) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
+  span.first = {first, r.row};
   span.rayStep = r.constants.right * perPixel.x;
   span.firstRay = r.constants.middleRay + across * r.constants.right + upwards * r.constants.up;
   if (r.shown.water) {
@@ -107,16 +108,16 @@ void StripTechnique::storeLabels(const ShadedRow& r, const PixelSpan& span,
 }
 
 ShadingSources StripTechnique::sourcesFor(const ShadingConstants& constants) const {
-  return {constants,
-          constants.skyIsOn ? sky_->texels().data() : nullptr,
-          &local_.mirrored(),
-          &local_.below(),
-          &local_.window(),
-          &local_.depths(),
-          shadows_.texels().data(),
-          shadows_.size().x,
-          shadows_.tiles(),
-          waterline_.heights().data()};
+  return {.constants = constants,
+          .sky = constants.skyIsOn ? sky_->texels().data() : nullptr,
+          .mirrored = &local_.mirrored(),
+          .below = &local_.below(),
+          .window = &local_.window(),
+          .depths = &local_.depths(),
+          .shadows = shadows_.texels().data(),
+          .shadowWidth = shadows_.size().x,
+          .shadowTiles = shadows_.tiles(),
+          .waterline = waterline_.heights().data()};
 }
 
 /// Colours of a span's pixels, and their radiance unless that is null.
@@ -130,7 +131,9 @@ void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint
   glm::vec4 shaded[pixelsPerSpan + 16];
   shadeSpan(sources, span, shaded);
   for (int i = 0; i < span.count; ++i) radiance[i] = glm::vec3(shaded[i]);
-  mapTones({radiance, static_cast<std::size_t>(span.count)}, r.constants.exposure, rgb);
+  const Light& light = r.view.light;
+  mapTones({radiance, static_cast<std::size_t>(span.count)},
+           {r.constants.exposure, light.toneCurve, light.dithers}, span.first, rgb);
 }
 
 void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {

@@ -28,6 +28,12 @@ void addCurves(const Study& study, const std::string& label, Abscissa abscissa, 
   plot.curves.push_back(curve);
 }
 
+/// A number with so many digits at least, all of those before the point.
+std::string plainText(double value, int digits) {
+  if (std::abs(value) >= std::pow(10.0, digits - 1)) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.{}g}", value, digits);
+}
+
 /// The point of the scene's own setting.
 template <typename Abscissa>
 void addChosen(const Study& study, Abscissa abscissa, Plot& plot) {
@@ -36,8 +42,18 @@ void addChosen(const Study& study, Abscissa abscissa, Plot& plot) {
     plot.curves.push_back({"the scene's: " + point.setting,
                            {onLogarithm(abscissa(point))},
                            {onLogarithm(point.error)},
-                           CurveStyle::points});
+                           CurveStyle::mark});
   }
+}
+
+std::string errorLabel(const Study& study) {
+  const bool hasUnit = !study.unitError.empty() && study.unitError != "1";
+  return hasUnit ? "error, " + study.unitError : "error, relative";
+}
+
+/// A cost and its scatter, without exponents.
+std::string costText(const CostPoint& point) {
+  return fmt::format("{} ± {}", plainText(point.cost, 4), plainText(point.spread, 2));
 }
 
 double costOf(const CostPoint& point) { return point.cost; }
@@ -54,7 +70,7 @@ void addTechniques(const Study& study, HtmlPage& page) {
   Plot plot;
   plot.title = study.name;
   plot.x = {"cost, " + study.unitCost, true};
-  plot.y = {"error, " + study.unitError, true};
+  plot.y = {errorLabel(study), true};
   for (const CostPoint& point : study.points) {
     const std::string technique = point.setting.substr(0, point.setting.find(' '));
     if (plot.curves.empty() || plot.curves.back().label != technique) {
@@ -71,10 +87,11 @@ void addStudy(const Study& study, HtmlPage& page) {
   page.paragraph(study.summary);
   std::vector<std::vector<std::string>> rows;
   for (const CostPoint& point : study.points) {
-    rows.push_back({point.setting, fmt::format("{:.3g}", point.error),
-                    fmt::format("{:.4g} ± {:.2g}", point.cost, point.spread)});
+    const bool isChosen = point.setting == study.chosen;
+    rows.push_back({point.setting + (isChosen ? " (the scene's)" : ""),
+                    fmt::format("{:.3g}", point.error), costText(point)});
   }
-  page.table({"setting", "error, " + study.unitError, "cost, " + study.unitCost}, rows);
+  page.table({"setting", errorLabel(study), "cost, " + study.unitCost}, rows);
   if (isByTechnique(study)) addTechniques(study, page);
   // Pictures are drawn together; settings without a number are no steps of a dial.
   if (isOfPictures(study) || study.points.back().dial == 0.0) return;
@@ -82,7 +99,7 @@ void addStudy(const Study& study, HtmlPage& page) {
   Plot plot;
   plot.title = study.name;
   plot.x = {"cost, " + study.unitCost, true};
-  plot.y = {"error, " + study.unitError, true};
+  plot.y = {errorLabel(study), true};
   addCurves(study, study.name, costOf, plot);
   addChosen(study, costOf, plot);
   page.figure(svgOf(plot), "Error against cost.");
@@ -134,8 +151,8 @@ std::string heightErrorFigure(const std::vector<Study>& studies) {
 std::string costReport(const std::vector<Study>& studies, const Calibration& calibration,
                        const std::string& scene) {
   HtmlPage page("Seaway: what accuracy costs");
-  page.paragraph("Scene " + scene +
-                 ", measured in one process on " + machineLine() + ". Costs are medians; "
+  page.paragraph("Scene " + scene + ", measured in one process on " + machineLine() +
+                 ". Costs are medians; "
                  "after ± stands half the distance between quartiles.");
   for (const std::string& sentence : costAdvice(studies)) page.paragraph(sentence);
   page.figure(heightErrorFigure(studies),

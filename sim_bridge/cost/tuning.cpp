@@ -75,7 +75,9 @@ void tunePictures(const Scene& scene, const Sea& sea, const std::string& backend
   if (scene.cameras.empty()) {
     throw InputError("accuracy.pixel and budget.frame_ms need a camera in the scene");
   }
-  const Simulation simulation(scene, sea);
+  // With the wakes and trails that a run's cameras see.
+  Simulation simulation(scene, sea);
+  simulation.attend({.cameras = scene.cameras, .places = {}});
   std::vector<Setting> settings;
   std::vector<glm::ivec2> grids;
   for (const int rows : {32, 64, 128, 256, 512, 1024}) {

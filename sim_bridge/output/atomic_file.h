@@ -19,6 +19,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   std::ostream& stream() { return stream_; }
+  /// Where what was written so far stands until `commit`.
+  const std::filesystem::path& beside() const { return beside_; }
 
   /// Throws std::runtime_error where writing or renaming failed (a full disk, say).
   void commit();

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char heading[] = "seaway checkpoint 1\n";
+constexpr char heading[] = "seaway checkpoint 2\n";
 
 std::string textOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -48,10 +48,11 @@ struct Content {
   std::int64_t seed = 0;
   double step = 0.0, time = 0.0;
   std::string state;
+  std::vector<KeptText> telemetry;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(sources, seed, step, time, state);
+    archive(sources, seed, step, time, state, telemetry);
   }
 };
 
@@ -89,8 +90,8 @@ Content contentOf(const fs::path& file) {
 }  // namespace
 
 void writeCheckpoint(const fs::path& path, const Scene& scene, const Checkpoint& checkpoint) {
-  Content content{sourcesOf(scene), scene.sea.seed, scene.run.step, checkpoint.time,
-                  checkpoint.state};
+  Content content{sourcesOf(scene), scene.sea.seed,   scene.run.step,
+                  checkpoint.time,  checkpoint.state, checkpoint.telemetry};
   std::ostringstream bytes;
   {
     cereal::BinaryOutputArchive writer(bytes);
@@ -119,7 +120,7 @@ Checkpoint readCheckpoint(const fs::path& file, const Scene& scene) {
                    std::to_string(scene.sea.seed));
   }
   if (content.step != scene.run.step) fail(file, "was written with another step");
-  return {content.time, std::move(content.state)};
+  return {content.time, std::move(content.state), std::move(content.telemetry)};
 }
 
 }  // namespace seaway::bridge

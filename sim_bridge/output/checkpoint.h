@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "sim_bridge/output/kept_text.h"
 #include "sim_bridge/scene/scene.h"
 
 namespace seaway::bridge {
@@ -11,6 +13,8 @@ namespace seaway::bridge {
 struct Checkpoint {
   double time = 0.0;  ///< s since the scene's epoch
   std::string state;  ///< of the simulation (Simulation::state)
+  /// What of each file of telemetry goes with it (Telemetry::keep); none: it is not kept.
+  std::vector<KeptText> telemetry{};
 };
 
 /// Writes it with what the scene is made of: its file, and those of vessels and sea state that it

@@ -27,12 +27,30 @@ std::vector<std::string> telemetryFiles(const Scene& scene) {
   return names;
 }
 
-Telemetry::Telemetry(const std::filesystem::path& folder, const Scene& scene) {
-  for (const std::string& name : telemetryFiles(scene)) {
-    files_.push_back(std::make_unique<AtomicFile>(folder / name));
+std::filesystem::path keptTelemetry(const std::filesystem::path& checkpoint,
+                                    const std::string& name) {
+  return checkpoint.string() + "." + name;
+}
+
+Telemetry::Telemetry(const std::filesystem::path& folder, const Scene& scene)
+    : Telemetry(folder, scene, {}, {}) {}
+
+Telemetry::Telemetry(const std::filesystem::path& folder, const Scene& scene,
+                     const std::filesystem::path& from, const Checkpoint& checkpoint)
+    : names_(telemetryFiles(scene)) {
+  const bool goesOn = checkpoint.telemetry.size() == names_.size();
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    files_.push_back(std::make_unique<AtomicFile>(folder / names_[i]));
+    if (goesOn) {
+      copyKept(keptTelemetry(from, names_[i]), checkpoint.telemetry[i], files_.back()->stream());
+      continue;
+    }
     files_.back()->stream() << "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,"
                                "heading_deg,speed_m_s,water_height_m,submerged_volume_m3\n";
   }
+  if (!goesOn) return;
+  keptWith_ = from;
+  kept_ = checkpoint.telemetry;
 }
 
 void Telemetry::write(const Simulation& simulation) {
@@ -47,6 +65,16 @@ void Telemetry::write(const Simulation& simulation) {
               geodesy.trueHeadingFromDirection(pose.position, pose.direction), vessel.speed(),
               vessel.waterHeight(), vessel.submergedVolume()});
   }
+}
+
+std::vector<KeptText> Telemetry::keep(const std::filesystem::path& checkpoint) {
+  if (checkpoint != keptWith_) kept_.assign(names_.size(), {});
+  keptWith_ = checkpoint;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    files_[i]->stream().flush();
+    kept_[i] = keepText(files_[i]->beside(), keptTelemetry(checkpoint, names_[i]), kept_[i]);
+  }
+  return kept_;
 }
 
 void Telemetry::commit() {

@@ -82,7 +82,7 @@ std::string axis(const char* name, const Axis& axis) {
   std::string script = fmt::format("set {}label {}\nset {}range [{}:{}]\n", name,
                                    quoted(axis.label), name, end(axis.low), end(axis.high));
   if (axis.logarithmic)
-    script += fmt::format("set logscale {}\nset format {} '%.0e'\n", name, name);
+    script += fmt::format("set logscale {}\nset format {} '%g'\n", name, name);
   return script;
 }
 
@@ -107,6 +107,8 @@ std::string styleOf(const Curve& curve, const char* colour) {
       return fmt::format("with lines lw 2 dt 2 lc rgb '{}'", colour);
     case CurveStyle::points:
       return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
+    case CurveStyle::mark:
+      return fmt::format("with points pt 6 ps 1.3 lw 3 lc rgb '{}'", colour);
     case CurveStyle::boxes:
       return fmt::format("with boxes lc rgb '{}'", colour);
   }

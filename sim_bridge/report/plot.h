@@ -9,7 +9,7 @@
 /// leave gaps. All throw std::runtime_error where gnuplot is missing or fails.
 namespace seaway::bridge {
 
-enum class CurveStyle { line, dashed, points, boxes };
+enum class CurveStyle { line, dashed, points, mark, boxes };
 
 struct Curve {
   std::string label;

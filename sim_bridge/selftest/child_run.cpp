@@ -73,7 +73,12 @@ ChildOutcome runProgram(const std::filesystem::path& program,
   ChildOutcome outcome;
   int status = 0;
   rusage usage{};
+  bool isAskedToEnd = !limits.isEnough;
   for (auto pause = std::chrono::microseconds(500); wait4(child, &status, WNOHANG, &usage) == 0;) {
+    if (!isAskedToEnd && limits.isEnough(err.text())) {
+      isAskedToEnd = true;
+      kill(child, SIGTERM);
+    }
     if (!outcome.timedOut && Clock::now() - start > limits.time) {
       outcome.timedOut = true;
       kill(child, SIGKILL);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "sim_bridge/scene/schema_fields.h"
+#include "sim_bridge/selftest/served_case.h"
 #include "sim_bridge/selftest/yaml_json.h"
 
 namespace seaway::bridge {
@@ -86,8 +87,7 @@ Mapping<Entry> caseSchema() {
       field("area", "text", "what it is of", Need::required, textInto(&HardCase::area)),
       field("property", "text", "what must hold", Need::required, textInto(&HardCase::property)),
       text("scene", &Entry::base, "scene file, relative to this one"),
-      field("with", "mapping", "values that are put into the scene, by their paths",
-            Need::optional,
+      field("with", "mapping", "values that are put into the scene, by their paths", Need::optional,
             [](Entry& entry, const YamlValue& value) { entry.replaced = jsonFromYaml(value); }),
       field("command", "list", "words of the command line, SCENE and OUT in them", Need::required,
             [](Entry& entry, const YamlValue& value) { entry.result.arguments = wordsOf(value); }),
@@ -155,9 +155,17 @@ std::string tryCase(const HardCase& hardCase, const fs::path& program, const Chi
     if (word.starts_with("OUT")) word = out.string() + word.substr(3);
     arguments.push_back(std::move(word));
   }
-  const ChildOutcome outcome = runProgram(program, arguments, limits);
+  std::string served;
+  ChildLimits within = limits;
+  if (hardCase.endpoints > 0) {
+    within.isEnough = [&](const std::string& err) {
+      return askService(err, hardCase.endpoints, served);
+    };
+  }
+  const ChildOutcome outcome = runProgram(program, arguments, within);
   if (seconds) *seconds = outcome.seconds;
-  return faultOf(outcome, hardCase.expectation, out);
+  const std::string fault = faultOf(outcome, hardCase.expectation, out);
+  return fault.empty() ? served : fault;
 }
 
 }  // namespace seaway::bridge

@@ -18,6 +18,9 @@ struct HardCase {
   /// Words of the command line; SCENE stands for the scene's file, OUT for a fresh folder.
   std::vector<std::string> arguments;
   Expectation expectation;
+  /// Doors that a service opens: once they are open it is asked through them (served_case.h) and
+  /// then ended by SIGTERM; 0: the command ends by itself.
+  int endpoints = 0;
 };
 
 /// Hard cases of one area that tests of the tree try, by ctest's names.

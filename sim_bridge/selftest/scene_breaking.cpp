@@ -31,7 +31,8 @@ Json wrongValue(const KeyDescription& key, std::size_t which) {
     case 2:
       return Json::array({1, 2});
     case 3:
-      if (std::isfinite(range.most) && !range.infinityAllowed) return 10.0 * std::abs(range.most) + 1.0;
+      if (std::isfinite(range.most) && !range.infinityAllowed)
+        return 10.0 * std::abs(range.most) + 1.0;
       return "-.inf";
     default:
       if (std::isfinite(range.least)) return range.least - 1.0;
@@ -41,8 +42,8 @@ Json wrongValue(const KeyDescription& key, std::size_t which) {
 
 }  // namespace
 
-void SceneGenerator::gather(Json& mapping, const std::vector<KeyDescription>& keys,
-                            bool exactlyOne, std::vector<Place>& places) {
+void SceneGenerator::gather(Json& mapping, const std::vector<KeyDescription>& keys, bool exactlyOne,
+                            std::vector<Place>& places) {
   places.push_back({&mapping, &keys, exactlyOne});
   for (auto& [name, child] : mapping.items()) {
     const KeyDescription* key = descriptionOf(keys, name);

@@ -11,38 +11,53 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Numbers that decide how long a command takes, or that hardly any sea has beyond these, by the ends
-/// of their paths.
+/// Numbers that decide how long a command takes, or that hardly any sea has beyond these, by the
+/// ends of their paths.
 struct Frugal {
   const char* path;
   Range range;
 };
 const Frugal frugal[] = {
-    {"run.size", Range::within(1, 96)},          {"run.duration_s", Range::within(0.01, 0.6)},
-    {"run.fps", Range::within(0.0, 4.0)},        {"run.step_s", Range::within(0.01, 1.0)},
-    {"accuracy.grid", Range::within(2, 64)},     {"wakes.cell_m", Range::within(0.5, 100.0)},
-    {"wakes.window_m", Range::within(0.0, 2e3)}, {"layers.cell_m", Range::within(0.25, 20.0)},
-    {".octaves", Range::within(1, 6)},           {"foam_radius_m", Range::within(0.0, 20.0)},
+    {"run.size", Range::within(1, 96)},
+    {"run.duration_s", Range::within(0.01, 0.6)},
+    {"run.fps", Range::within(0.0, 4.0)},
+    {"run.step_s", Range::within(0.01, 1.0)},
+    {"accuracy.grid", Range::within(2, 64)},
+    {"wakes.cell_m", Range::within(0.5, 100.0)},
+    {"wakes.window_m", Range::within(0.0, 2e3)},
+    {"layers.cell_m", Range::within(0.25, 20.0)},
+    {".octaves", Range::within(1, 6)},
+    {"foam_radius_m", Range::within(0.0, 20.0)},
     {"layers[].radius_m", Range::within(0.1, 50.0)},
-    {".hm0_m", Range::within(0.001, 20.0)},      {".tp_s", Range::within(0.5, 30.0)},
-    {".wind_m_s", Range::within(1.0, 40.0)},     {"intrinsics.size", Range::within(1, 4096)},
-    {"terrain.size_m", Range::within(1e2, 2e4)}, {"terrain.height_m", Range::within(-100.0, 300.0)},
+    {".hm0_m", Range::within(0.001, 20.0)},
+    {".tp_s", Range::within(0.5, 30.0)},
+    {".wind_m_s", Range::within(1.0, 40.0)},
+    {"intrinsics.size", Range::within(1, 4096)},
+    {"terrain.size_m", Range::within(1e2, 2e4)},
+    {"terrain.height_m", Range::within(-100.0, 300.0)},
     {".width_hz", Range::within(0.002, 0.01)},
 };
 
 /// Keys that only go with others, in ways that the tables do not tell: never given.
-const char* const leftOut[] = {"sea.state.octaves", "ochi_hubble.swell", "ochi_hubble.wind_sea",
-                               ".spread_wind_m_s",  ".spread",           "pierson_moskowitz.wind_m_s",
-                               "layers[].file",     "layers[].grid",         "terrain.extent",
-                               "terrain.no_data_m", "scenery[].file",        "ripples[].side_m",
-                               "ripples[].period_s", "ripples[].wavelength_m"};
+const char* const leftOut[] = {"sea.state.octaves",
+                               "ochi_hubble.swell",
+                               "ochi_hubble.wind_sea",
+                               ".spread_wind_m_s",
+                               ".spread",
+                               "pierson_moskowitz.wind_m_s",
+                               "layers[].file",
+                               "layers[].grid",
+                               "terrain.extent",
+                               "terrain.no_data_m",
+                               "scenery[].file",
+                               "ripples[].side_m",
+                               "ripples[].period_s",
+                               "ripples[].wavelength_m"};
 /// And those that are always wanted where their mapping is.
-const char* const always[] = {"pierson_moskowitz.hm0_m", "pierson_moskowitz.tp_s",
-                              "ochi_hubble.hm0_m",       "intrinsics.fx_px",
-                              "intrinsics.fy_px",        "intrinsics.cx_px",
-                              "intrinsics.cy_px",        "intrinsics.size",
-                              "layers[].place",          "terrain.centre",
-                              "terrain.size_m",          "terrain.height_m"};
+const char* const always[] = {
+    "pierson_moskowitz.hm0_m", "pierson_moskowitz.tp_s", "ochi_hubble.hm0_m", "intrinsics.fx_px",
+    "intrinsics.fy_px",        "intrinsics.cx_px",       "intrinsics.cy_px",  "intrinsics.size",
+    "layers[].place",          "terrain.centre",         "terrain.size_m",    "terrain.height_m"};
 
 template <std::size_t count>
 bool isAmong(const std::string& path, const char* const (&ends)[count]) {

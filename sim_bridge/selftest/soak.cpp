@@ -96,7 +96,9 @@ class Soaking {
                                 times.percentile(0.5), times.percentile(0.99)};
       result_.readings.push_back(reading);
       observe(reading);
-      if (i < readings) writeCheckpoint(checkpoint_, scene_, {reading.time, simulation_.state()});
+      if (i == readings) break;
+      writeCheckpoint(checkpoint_, scene_,
+                      {reading.time, simulation_.state(), telemetry.keep(checkpoint_)});
     }
     telemetry.commit();
     result_.frames = onlooker_.frames();

@@ -33,7 +33,9 @@ std::string textOf(const fs::path& file) {
 
 /// A table's or JSON's value that is not a number, such as `,nan,` or `: inf`.
 bool hasNonNumber(std::string_view text) {
-  const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto isPart = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
   for (const std::string_view word : {"nan", "inf", "NaN", "Infinity"}) {
     for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
       const std::size_t end = at + word.size();

@@ -52,6 +52,26 @@ TEST(Tune, WritesASceneThatKeepsRemarksAndDoesWhatWasAsked) {
   EXPECT_TRUE(nlohmann::json::parse(outcome.out)["settings"].contains("grid"));
 }
 
+/// `achieved` of a run of a scene for which a frame was foreseen.
+nlohmann::json achievedBy(const std::vector<std::string>& options) {
+  const TempFolder folder;
+  const auto scene = test::writeScene(folder);
+  folder.write("scene.yaml", test::readFile(scene) + "\ntuned: {frame_ms: 8}\n");
+  std::vector<std::string> words{"run",    scene.string(), "--out", (folder / "out").string(),
+                                 "--json", "--fps",        "4"};
+  words.insert(words.end(), options.begin(), options.end());
+  const auto outcome = seaway(words);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out)["tuned"]["achieved"];
+}
+
+TEST(Tune, OnlyFramesLikeThoseThatWereForeseenCount) {
+  EXPECT_TRUE(achievedBy({"--duration", "0.5"}).contains("frame_ms"));
+  EXPECT_FALSE(achievedBy({"--duration", "0.25"}).contains("frame_ms")) << "the first makes all";
+  EXPECT_FALSE(achievedBy({"--duration", "0.5", "--aa", "2"}).contains("frame_ms"));
+  EXPECT_FALSE(achievedBy({"--duration", "0.5", "--size", "40x20"}).contains("frame_ms"));
+}
+
 TEST(Tune, ARunSetsWhatItAchievesBesideWhatWasForeseen) {
   const TempFolder folder;
   const auto scene = test::writeScene(folder);

@@ -42,9 +42,9 @@ std::size_t allocationsOf(Action action) {
 /// Techniques' memory is theirs from the first picture on.
 Account accountOf(Effect effect, const test::Json& scene) {
   EffectTrial trial(scene);
-  const auto software = render::makeSoftwareGrid({.grid = {24, 24}});
+  const auto software = render::makeSoftwareGrid({.grid = {16, 16}});
   static const auto throughGl = render::makeProjectedGrid(
-      render::test::sharedContext(), {.grid = {24, 24}, .variant = render::GridVariant::gpu});
+      render::test::sharedContext(), {.grid = {16, 16}, .variant = render::GridVariant::gpu});
   Account account;
   EffectLedger ledger(trial.scene().effects), others(trial.scene().effects);
   account.stepAllocations = allocationsOf([&] { trial.step(ledger); });

@@ -108,8 +108,7 @@ TEST(CheckpointHard, ASceneThatHasChangedIsNamed) {
   const auto file = folder / "run.checkpoint";
   writeCheckpoint(file, loadScene(path), {3.0, "state"});
   folder.write("launch.yaml", test::readFile(folder / "launch.yaml") + "# heavier\n");
-  const std::string message =
-      test::inputErrorOf([&] { readCheckpoint(file, loadScene(path)); });
+  const std::string message = test::inputErrorOf([&] { readCheckpoint(file, loadScene(path)); });
   EXPECT_NE(message.find("launch.yaml"), std::string::npos) << message;
 }
 
@@ -117,8 +116,8 @@ TEST(RunResumed, HasTheRowsAndFramesOfAnUninterruptedRun) {
   const TempFolder folder;
   const std::string scene = test::writeScene(folder).string();
   const auto run = [&](const std::string& out, std::vector<std::string> more) {
-    std::vector<std::string> arguments{"run", scene, "--fps", "4", "--out",
-                                       (folder / out).string()};
+    std::vector<std::string> arguments{"run", scene,   "--fps",
+                                       "4",   "--out", (folder / out).string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const auto outcome = test::seaway(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -128,9 +127,7 @@ TEST(RunResumed, HasTheRowsAndFramesOfAnUninterruptedRun) {
   run("first", {"--duration", "1", "--checkpoint", checkpoint});
   run("second", {"--duration", "2", "--resume", checkpoint});
   const std::string whole = test::readFile(folder / "whole/telemetry.csv");
-  const std::string first = test::readFile(folder / "first/telemetry.csv");
-  const std::string second = test::readFile(folder / "second/telemetry.csv");
-  EXPECT_EQ(first + second.substr(second.find('\n') + 1), whole);
+  EXPECT_EQ(test::readFile(folder / "second/telemetry.csv"), whole);
   for (const char* frame : {"000004", "000005", "000006", "000007"}) {
     const std::string name = std::string("/frames/") + frame + ".png";
     EXPECT_EQ(test::readFile(folder / ("second" + name)), test::readFile(folder / ("whole" + name)))
@@ -142,6 +139,56 @@ TEST(RunResumed, HasTheRowsAndFramesOfAnUninterruptedRun) {
   EXPECT_EQ(over.status, 2);
   EXPECT_NE(over.err.find("--duration"), std::string::npos) << over.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "third"));
+}
+
+// Killed outright, at any place between two checkpoints.
+TEST(RunResumedHard, AnInterruptedRunHasTheTelemetryOfAWholeOne) {
+  const TempFolder folder;
+  const std::string scene = test::writeScene(folder).string();
+  const std::string checkpoint = (folder / "run.checkpoint").string();
+  const auto arguments = [&](const char* out, const char* duration) {
+    return std::vector<std::string>{
+        "run", scene, "--fps", "0", "--out", (folder / out).string(), "--duration", duration};
+  };
+  const auto run = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = test::seaway(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  };
+  const std::vector<std::string> kept{"--checkpoint", checkpoint, "--checkpoint-every", "0.7"};
+  run(arguments("whole", "3"), {});
+  run(arguments("first", "1"), kept);
+  // What a run that is killed leaves: rows beyond its last checkpoint.
+  std::ofstream(checkpoint + ".telemetry.csv", std::ios::app) << "1.02,28.8";
+  std::vector<std::string> onwards = kept;
+  onwards.insert(onwards.end(), {"--resume", checkpoint});
+  run(arguments("second", "2"), onwards);
+  run(arguments("third", "3"), onwards);
+  EXPECT_EQ(test::readFile(folder / "third/telemetry.csv"),
+            test::readFile(folder / "whole/telemetry.csv"));
+}
+
+TEST(RunResumed, MissingOrOtherTelemetryIsNamed) {
+  const TempFolder folder;
+  const std::string scene = test::writeScene(folder).string();
+  const std::string checkpoint = (folder / "run.checkpoint").string();
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"run", scene, "--fps", "0", "--out", (folder / "out").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::seaway(words);
+  };
+  ASSERT_EQ(run({"--duration", "1", "--checkpoint", checkpoint}).status, 0);
+  const std::vector<std::string> onwards{"--duration", "2", "--resume", checkpoint};
+  const std::string rows = test::readFile(checkpoint + ".telemetry.csv");
+  folder.write("run.checkpoint.telemetry.csv", rows.substr(0, rows.size() - 1) + "7");
+  const auto other = run(onwards);
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("run.checkpoint.telemetry.csv"), std::string::npos) << other.err;
+  std::filesystem::remove(checkpoint + ".telemetry.csv");
+  const auto missing = run(onwards);
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("no such file"), std::string::npos) << missing.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/telemetry.csv"));
 }
 
 }  // namespace

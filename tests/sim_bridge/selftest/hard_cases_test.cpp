@@ -40,8 +40,8 @@ TEST(HardCatalogue, HasEveryCaseOnceWithItsScene) {
   for (const HardCase& each : all.cases) {
     EXPECT_TRUE(names.insert(each.name).second) << each.name;
     EXPECT_FALSE(each.property.empty());
-    const bool wantsScene = std::find(each.arguments.begin(), each.arguments.end(), "SCENE") !=
-                            each.arguments.end();
+    const bool wantsScene =
+        std::find(each.arguments.begin(), each.arguments.end(), "SCENE") != each.arguments.end();
     EXPECT_EQ(wantsScene, !each.scene.is_null()) << each.name;
   }
 }

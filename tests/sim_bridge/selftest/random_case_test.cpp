@@ -65,9 +65,23 @@ TEST(SceneGeneratorHard, NoBrokenSceneIsRead) {
 }
 
 TEST(YamlJson, SurvivesTheRoundTrip) {
-  const Json value = {{"a", 1.5}, {"b", {{"c", "text: with # marks"}, {"d", {1, 2}}}},
+  const Json value = {{"a", 1.5},
+                      {"b", {{"c", "text: with # marks"}, {"d", {1, 2}}}},
                       {"e", Json::array({{{"f", -3}}, {{"g", "1e3x"}}})}};
   EXPECT_EQ(jsonFromYaml(parseYaml(yamlFromJson(value), "t.yaml")), value);
+}
+
+TEST(RandomCase, TriesEveryCommandThatPeopleGive) {
+  std::map<std::string, int> commands;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const HardCase hardCase = randomCase(seed, examples());
+    ++commands[hardCase.arguments[0]];
+    EXPECT_EQ(hardCase.endpoints > 0, hardCase.arguments[0] == "serve");
+  }
+  for (const char* command :
+       {"run", "query", "render", "explain", "fit", "serve", "hull", "sail", "tune"}) {
+    EXPECT_GT(commands[command], 10) << command;
+  }
 }
 
 TEST(RandomCase, AThirdAreBroken) {

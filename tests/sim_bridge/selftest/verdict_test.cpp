@@ -30,12 +30,11 @@ TEST(ChildRun, TellsStatusAndBothOutputs) {
   EXPECT_GT(outcome.peakBytes, 0u);
 }
 
-TEST(ChildRunHard, TellsTheSignalThatEndedIt) {
-  EXPECT_EQ(shell("kill -SEGV $$").signal, SIGSEGV);
-}
+TEST(ChildRunHard, TellsTheSignalThatEndedIt) { EXPECT_EQ(shell("kill -SEGV $$").signal, SIGSEGV); }
 
 TEST(ChildRunHard, EndsWhatDoesNotEnd) {
-  const ChildOutcome outcome = shell("while :; do :; done", {.time = std::chrono::milliseconds(100)});
+  const ChildOutcome outcome =
+      shell("while :; do :; done", {.time = std::chrono::milliseconds(100)});
   EXPECT_TRUE(outcome.timedOut);
   EXPECT_EQ(outcome.signal, SIGKILL);
 }
