@@ -451,8 +451,11 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real3 lower = mix(Real3(0.06f * skyLight), Real3(veil), wetted);
   Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
-  // Light that has come down through the water, the way of the sun's.
-  Real3 colour = reflectance * light * leftInWater(depth * (1.0f / sunInWater.z));
+  // Light that has come down through the water, the way of the sun's. From below the surface mirrors
+  // 48 % of what goes up back to it, again and again (Lee et al. 1999 have as much).
+  Real3 clear = leftInWater(depth * (1.0f / sunInWater.z));
+  Real3 colour = reflectance * light * clear /
+                 (Real3(1.0f, 1.0f, 1.0f) - reflectance * clear * (0.48f * wetted));
   Real wet = submerged(relative);
   Real3 seen = hazed(colour, relative / distance, distance);
   if (lampCount > 0) seen = seen + lampsSeen(relative / distance, distance);

@@ -268,6 +268,15 @@ void requireOutputs(const RunOptions& options, const Scene& scene, long long fra
   requireVideo(options.video);
 }
 
+/// Whether the telemetry up to a checkpoint is there, before anything of an earlier run goes.
+void requireTelemetry(const std::string& file, const Checkpoint& checkpoint, const Scene& scene) {
+  const std::vector<std::string> names = telemetryFiles(scene);
+  std::ostream nowhere(nullptr);
+  for (std::size_t i = 0; i < std::min(names.size(), checkpoint.telemetry.size()); ++i) {
+    copyKept(keptTelemetry(file, names[i]), checkpoint.telemetry[i], nowhere);
+  }
+}
+
 }  // namespace
 
 int runRun(const RunOptions& options, std::ostream& out) {
@@ -286,6 +295,7 @@ int runRun(const RunOptions& options, std::ostream& out) {
                                  "how long the whole is",
                                  from->time, scene.run.duration));
   }
+  if (from) requireTelemetry(options.resume, *from, scene);
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
                          scene, frames, options.also);
   const Sea sea = buildSea(scene);

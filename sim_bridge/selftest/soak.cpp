@@ -1,13 +1,13 @@
 #include "sim_bridge/selftest/soak.h"
 
 #include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "render/technique_choice.h"
 #include "sim_bridge/output/checkpoint.h"
@@ -20,11 +20,18 @@
 namespace seaway::bridge {
 namespace {
 
+/// What was freed goes back first; files that are mapped, which the kernel drops and reads again as
+/// it likes, do not count, and what it has swapped out does.
 std::size_t residentBytes() {
-  std::ifstream file("/proc/self/statm");
-  std::size_t all = 0, resident = 0;
-  file >> all >> resident;
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  malloc_trim(0);
+  std::ifstream file("/proc/self/status");
+  std::size_t kilobytes = 0;
+  for (std::string line; std::getline(file, line);) {
+    for (const std::string_view key : {"RssAnon:", "VmSwap:"}) {
+      if (line.starts_with(key)) kilobytes += std::stoul(line.substr(key.size()));
+    }
+  }
+  return kilobytes * 1024;
 }
 
 std::size_t heapBytes() {

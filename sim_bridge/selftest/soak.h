@@ -14,7 +14,7 @@ namespace seaway::bridge {
 /// What a long run holds and takes, read at one of its times.
 struct SoakReading {
   double time = 0.0;              ///< s since the scene's epoch
-  std::size_t residentBytes = 0;  ///< of the process, as the kernel counts them
+  std::size_t residentBytes = 0;  ///< of the process, mapped files left out
   std::size_t heapBytes = 0;      ///< that are allocated and not freed
   double stepMedian = 0.0;        ///< µs, of the steps since the last reading
   double step99 = 0.0;            ///< µs, that 99 % of those steps took at most

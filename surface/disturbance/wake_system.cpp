@@ -16,6 +16,10 @@ namespace {
 /// A wake that nobody asks for is kept for this long, s: rebuilding takes longer than keeping.
 constexpr double patience = 5.0;
 
+/// Where more are asked for than may run, one that runs counts as nearer by this part of its reach:
+/// who hovers between two would see them come and go, and pay for each anew.
+constexpr double constancy = 0.1;
+
 /// ∫∫ η² below which a hull's waves are gone, m⁴: a millimetre over 1000 m², and what the border
 /// keeps in motion by nibbling at the hollow under the hull, some 1e-4 of its ∫∫ H².
 double goneEnergy(const HullFootprint& hull) {
@@ -143,7 +147,8 @@ std::vector<WakeSystem::Call> WakeSystem::calls(double t, std::span<const WakeLi
     }
     if (nearest < vessel->reach()) {
       vessel->lastCalled = t;
-      called.push_back({vessel.get(), nearest});
+      const bool runs = !vessel->wakes.empty();
+      called.push_back({vessel.get(), nearest - (runs ? constancy * vessel->reach() : 0.0)});
     } else if (!vessel->wakes.empty() && std::abs(t - vessel->lastCalled) < patience) {
       called.push_back({vessel.get(), vessel->reach()});
     }

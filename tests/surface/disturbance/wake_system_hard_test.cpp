@@ -135,6 +135,37 @@ TEST(WakeSystemHard, OfTwoHundredVesselsOnlyTheNearestRun) {
   EXPECT_EQ(system.latest()->wakes()[1].vessel, fleet[50]);
 }
 
+TEST(WakeSystemHard, WhoHoversBetweenTwoWakesDoesNotMakeThemFlicker) {
+  WakeSystemSettings settings = small();
+  settings.mostWakes = 1;
+  WakeSystem system(settings);
+  const std::uint32_t one = system.addVessel(launch()), other = system.addVessel(launch());
+  const glm::dvec2 apart(0.0, 40.0);
+  int changes = 0;
+  bool before = false;
+  for (int i = 0; i <= 80; ++i) {
+    const double t = 0.1 * i;
+    const WakePose pose = sailing(t);
+    WakePose abeam = pose;
+    abeam.position += apart;
+    system.record(one, pose);
+    system.record(other, abeam);
+    // Now nearer to the one, now to the other.
+    const glm::dvec2 hovering = pose.position + 0.5 * apart + glm::dvec2(0.0, i % 2 ? 1.0 : -1.0);
+    const std::vector<WakeListener> between{{hovering, 5.0, 0}};
+    system.advance(t, between);
+    ASSERT_EQ(system.running(), i < 2 ? system.running() : 1u);
+    if (i < 30) continue;  // waves have risen
+    const std::vector<glm::dvec2> behind{pose.position - glm::dvec2(8.0, 0.0)};
+    const auto state = system.latest();
+    ASSERT_NE(state, nullptr);
+    const bool oneRuns = sampled(*state, t, behind, {.excludeVessel = other})[0].height != 0.0;
+    changes += i > 30 && oneRuns != before;
+    before = oneRuns;
+  }
+  EXPECT_EQ(changes, 0);
+}
+
 TEST(WakeSystemHard, GoingBackInTimeRebuildsTheWakeOfThen) {
   WakeSystem system(small());
   sail(system, 6.0, 0.1);
