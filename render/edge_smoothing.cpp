@@ -80,11 +80,12 @@ void markOutlines(const DepthImage& depth, std::span<const PixelClass> classes, 
                  (c[x - across] != here) | (c[x + across] != here);
   }
   for (int x = 1; x + 1 < across; ++x) {
-    const float here = d[x], most = depthStep * here;
-    const float left = d[x - 1], right = d[x + 1], above = d[x - across], below = d[x + across];
-    outline[x] |= (left > most) | (right > most) | (above > most) | (below > most) |
-                  (here > depthStep * left) | (here > depthStep * right) |
-                  (here > depthStep * above) | (here > depthStep * below);
+    const float here = d[x];
+    const float farthest =
+        std::max(std::max(d[x - 1], d[x + 1]), std::max(d[x - across], d[x + across]));
+    const float nearest =
+        std::min(std::min(d[x - 1], d[x + 1]), std::min(d[x - across], d[x + across]));
+    outline[x] |= (farthest > depthStep * here) | (here > depthStep * nearest);
   }
 }
 
@@ -102,7 +103,9 @@ void smoothEdges(ColourImage& colour, const DepthImage& depth, std::span<const P
     for (int x = 1; x + 1 < size.x; ++x) {
       if (!outline[x]) continue;
       if (!isSmooth.empty() && isSmooth[static_cast<std::size_t>(y) * size.x + x] != 0) continue;
-      const glm::vec3 result = smoothed(source, x, y) + 0.5f;
+      const glm::vec3 made = smoothed(source, x, y);
+      if (made == source.texel(x, y)) continue;
+      const glm::vec3 result = made + 0.5f;
       changes[y].push_back(
           {3 * (static_cast<std::size_t>(y) * size.x + x),
            {static_cast<std::uint8_t>(result.x), static_cast<std::uint8_t>(result.y),

@@ -4,6 +4,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "render/surf.h"
+
 namespace seaway::render {
 namespace {
 
@@ -47,6 +49,14 @@ void GridCover::sample(const SurfaceAtTime& water, std::span<const double> x,
   }
 }
 
+void GridCover::addSurf(const Surf& surf, const SurfaceAtTime& water, std::span<const double> x,
+                        std::span<const double> y, double keptWavelength) {
+  if (!any) {
+    for (auto* values : {&foam, &smooth, &oil}) std::fill_n(values->begin(), x.size(), 0.0f);
+  }
+  any = surf.addTo(water, x, y, keptWavelength, std::span(foam).first(x.size())) || any;
+}
+
 std::uint32_t packCover(glm::vec3 cover) {
   const glm::uvec3 bytes(glm::clamp(cover, 0.0f, 1.0f) * 255.0f + 0.5f);
   return bytes.x | bytes.y << 8 | bytes.z << 16;
@@ -86,13 +96,17 @@ void addExtras(const SurfaceAtTime& water, std::span<const double> x, std::span<
   }
 }
 
-glm::vec3 coverAt(const SurfaceAtTime& water, glm::dvec2 point) {
-  const SurfaceCover* cover = coverOf(water);
-  if (!cover) return glm::vec3(0.0f);
-  const auto read = [&](const std::shared_ptr<const SurfaceLayer>& layer) {
-    return layer ? layer->coverAt(point, water.time()) : 0.0f;
-  };
-  return {read(cover->foam), read(cover->smooth), read(cover->oil)};
+glm::vec3 coverAt(const SurfaceAtTime& water, const Surf* surf, glm::dvec2 point) {
+  const auto one = [](auto& value) { return std::span(&value, 1); };
+  GridCover cover;
+  cover.sample(water, one(point.x), one(point.y));
+  if (surf) cover.addSurf(*surf, water, one(point.x), one(point.y), 0.0);
+  if (!cover.any) return glm::vec3(0.0f);
+  return {cover.foam[0], cover.smooth[0], cover.oil[0]};
+}
+
+bool mayHaveCover(const SurfaceExtras& extras, const Surf* surf) {
+  return surf || (extras.detail && !extras.detail->cover.empty());
 }
 
 }  // namespace seaway::render

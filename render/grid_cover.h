@@ -10,6 +10,8 @@
 
 namespace seaway::render {
 
+class Surf;
+
 /// Points of a grid's row that are worked on together.
 inline constexpr int gridChunk = 256;
 
@@ -22,6 +24,10 @@ struct GridCover {
 
   /// Samples the layers of `water` at the points (x, y), `gridChunk` of them at the most.
   void sample(const SurfaceAtTime& water, std::span<const double> x, std::span<const double> y);
+
+  /// Adds surf at the same points, of the waves that a row of `keptWavelength` carries.
+  void addSurf(const Surf& surf, const SurfaceAtTime& water, std::span<const double> x,
+               std::span<const double> y, double keptWavelength);
 
   /// Foam, smoothed water and oil in the low three bytes.
   std::uint32_t packed(std::size_t i) const;
@@ -38,7 +44,10 @@ using GridWaves = FieldAtTime::Arrays;
 void addExtras(const SurfaceAtTime& water, std::span<const double> x, std::span<const double> y,
                double keptWavelength, const GridCover& cover, const GridWaves& waves);
 
-/// Foam, smoothed water and oil at one place.
-glm::vec3 coverAt(const SurfaceAtTime& water, glm::dvec2 point);
+/// Foam, surf's included unless that is null, smoothed water and oil at one place.
+glm::vec3 coverAt(const SurfaceAtTime& water, const Surf* surf, glm::dvec2 point);
+
+/// Whether anything may lie on the water at all.
+bool mayHaveCover(const SurfaceExtras& extras, const Surf* surf);
 
 }  // namespace seaway::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
@@ -35,8 +36,14 @@ struct GridLayout {
   std::optional<RingLaw> rings;
   std::vector<glm::dvec2> spokes;
   /// Height, m (1 σ), that the displacement of vertices may leave out: the smaller octaves'. Slopes
-  /// are those of all.
+  /// are those of all. Of rings at the camera's foot, see displacementToleranceAt.
   double displacementTolerance = 0.0;
+  /// What of it a row may leave out: nothing within a metre, where the eye may be in the surface, and
+  /// beyond at most a fiftieth of the way from there.
+  double displacementToleranceAt(int row) const {
+    if (!rings) return displacementTolerance;
+    return std::clamp(0.02 * (rings->radius(row) - 1.0), 0.0, displacementTolerance);
+  }
 
   /// Of a vertex, relative to the camera's foot point, m.
   glm::dvec2 place(int row, int column) const {

@@ -94,7 +94,8 @@ void LensTechnique::colour(const View& view, Radiance radianceAt, Frame& frame) 
       row[static_cast<std::size_t>(x)] = sum * share;
     }
     const std::size_t at = static_cast<std::size_t>(y) * size.x;
-    mapTones(row, frame.exposure, &frame.colour.rgb[3 * at]);
+    mapTones(row, {frame.exposure, view.light.toneCurve, view.light.dithers}, {0, y},
+             &frame.colour.rgb[3 * at]);
     if (!frame.radiance.empty()) std::copy(row.begin(), row.end(), frame.radiance.begin() + at);
   });
 }

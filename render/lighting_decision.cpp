@@ -6,6 +6,7 @@
 #include "render/scene_object.h"
 #include "render/shading/night_constants.h"
 #include "render/shading/shading_tables.h"
+#include "render/surf.h"
 #include "surface/constants.h"
 #include "surface/whitecaps.h"
 
@@ -35,11 +36,13 @@ bool decideFoam(const View& view, const Shown& shown) {
     const bool blows =
         WhitecapRule(view.water->waves(), view.light.windSpeed).mean >= leastWhitecaps;
     const bool wakes = view.water->disturbances() != nullptr;
-    called = lies || blows || wakes;
-    reason = blows   ? "the wind raises whitecaps"
-             : lies  ? "foam lies on the water"
-             : wakes ? "a wake may break"
-                     : "no wind, no wake, no foam";
+    const bool breaks = shown.terrain && surfOf(view).has_value();
+    called = lies || blows || wakes || breaks;
+    reason = blows    ? "the wind raises whitecaps"
+             : lies   ? "foam lies on the water"
+             : wakes  ? "a wake may break"
+             : breaks ? "waves break on a shore"
+                      : "no wind, no wake, no foam";
   }
   return view.effects->decide(Effect::foam, called, reason) && shown.water;
 }

@@ -40,7 +40,7 @@ void forgetFar(const View& view, double farthest, std::vector<double>& levels) {
 
 void hold(const View& view, Effect effect, const LocalImage& image) {
   view.effects->chargeInside(effect, Effect::water);
-  view.effects->holdMemory(effect, image.texels.capacity() * sizeof(glm::vec4));
+  view.effects->holdMemory(effect, image.memoryBytes());
 }
 
 /// Rays of a row's pixels from `first` on.
@@ -90,6 +90,7 @@ void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSo
     }
     draw({view.camera, terrain, side}, sources, image);
     if (side == WaterSide::mirrored) {
+      image.tiles.fill(image.nearness.data(), image.size, static_cast<std::size_t>(image.size.x));
       const auto objects = triangles_.axialRange(), land = ground_.axialRange();
       nearest_ = std::min(objects.first, land.first);
       farthest_ = std::max(objects.second, land.second);
@@ -99,9 +100,11 @@ void LocalLight::fillAbove(const View& view, const Shown& shown, const ShadingSo
     }
     hold(view, effect, image);
   };
-  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it", mirrored_);
+  decide(Effect::reflection, WaterSide::mirrored, "water mirrors what stands in or by it",
+         mirrored_);
   if (mayShow) forgetFar(view, farthestBelow, levels);
-  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view", below_);
+  decide(Effect::refraction, WaterSide::below, "a vessel's wet part or the sea bed is in view",
+         below_);
   if (!mayShow) triangles_ = {};
   if (!terrain.isShown()) ground_ = {};
 }
@@ -124,9 +127,11 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   const auto fill = [&](const ShadingConstants& constants, LocalImage& image) {
     image.size = {0, 0};
     if (triangles_.empty()) return;
-    ShadingSources with = sources;
     draw({view.camera, terrain, WaterSide::depths},
-         {constants, with.sky, nullptr, nullptr, nullptr, nullptr, with.shadows, with.shadowWidth},
+         {.constants = constants,
+          .sky = sources.sky,
+          .shadows = sources.shadows,
+          .shadowWidth = sources.shadowWidth},
          image);
   };
   ground_.clear();
@@ -136,8 +141,10 @@ void LocalLight::fillUnder(const View& view, const Shown& shown, const ShadingSo
   triangles_.fill(view.objects, view.camera, WaterSide::depths, levels);
   fill(sources.constants, depths_);
   triangles_.clear();
-  const std::size_t texels = window_.texels.capacity() + depths_.texels.capacity();
-  view.effects->holdMemory(Effect::underWater, texels * sizeof(glm::vec4));
+  constexpr std::size_t side = ShadingConstants::waterlineCells + 1;
+  const std::size_t line = sources.constants.waterlineIsOn ? side * side * sizeof(float) : 0;
+  view.effects->holdMemory(Effect::underWater,
+                           window_.memoryBytes() + depths_.memoryBytes() + line);
 }
 
 /// Makes a span of a row of the two strips ready to be shaded: the nearer of objects and ground.
@@ -161,8 +168,7 @@ void LocalLight::fillSpan(const Drawn& drawn, const Strip& objects, const Strip&
   }
 }
 
-void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
-                      LocalImage& image) const {
+void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources, LocalImage& image) const {
   const glm::ivec2 picture = drawn.camera.size;
   const PixelBox ofObjects = triangles_.boxIn(picture), ofGround = ground_.boxIn(picture);
   PixelBox box = ground_.empty() ? ofObjects : ofGround;
@@ -171,13 +177,15 @@ void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
   }
   image.least = box.least;
   image.size = box.end - box.least;
-  image.texels.resize(static_cast<std::size_t>(image.size.x) * image.size.y);
+  image.resize();
   ShadingConstants lit = sources.constants;
   lit.hazeIsOn = false;
   lit.lampCount = 0;  // places are not known here
   lit.cameraIsUnderWater = lit.waterlineIsOn = false;
-  const ShadingSources light{lit,     sources.sky, nullptr,         nullptr,
-                             nullptr, nullptr,     sources.shadows, sources.shadowWidth};
+  const ShadingSources with{.constants = lit,
+                            .sky = sources.sky,
+                            .shadows = sources.shadows,
+                            .shadowWidth = sources.shadowWidth};
   const int pieces = (image.size.y + rowsPerPiece - 1) / rowsPerPiece;
   tbb::parallel_for(0, pieces, [&](int piece) {
     Strip strip, ground;
@@ -189,7 +197,7 @@ void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
       ground_.raster(ground);
     }
     PixelSpan span;
-    glm::vec4 radiance[pixelsPerSpan + 16];
+    std::uint32_t light[pixelsPerSpan + 16];
     for (int line = 0; line < strip.rows; ++line) {
       const std::size_t row = static_cast<std::size_t>(line) * strip.stride;
       for (int first = box.least.x; first < box.end.x; first += pixelsPerSpan) {
@@ -197,13 +205,13 @@ void LocalLight::draw(const Drawn& drawn, const ShadingSources& sources,
         fillSpan(drawn, strip, ground, line, first, lit, span);
         const float* inverse = strip.inverse.data() + row + first;
         const float* land = ground_.empty() ? inverse : ground.inverse.data() + row + first;
-        if (span.hasObjects) shadeSpan(light, span, radiance);
-        glm::vec4* to =
-            &image.texels[static_cast<std::size_t>(top + line - box.least.y) * image.size.x +
-                          (first - box.least.x)];
+        if (span.hasObjects) shadeSpan(with, span, light);
+        const std::size_t to = static_cast<std::size_t>(top + line - box.least.y) * image.size.x +
+                               (first - box.least.x);
         for (int i = 0; i < span.count; ++i) {
           const float nearer = std::max(inverse[i], land[i]);
-          to[i] = nearer > 0.0f ? glm::vec4(glm::vec3(radiance[i]), nearer) : glm::vec4(0.0f);
+          image.nearness[to + i] = nearer;
+          image.light[to + i] = nearer > 0.0f ? light[i] : 0u;
         }
       }
     }

@@ -46,6 +46,13 @@ struct ShadingTerms {
   BackFaces backFaces = BackFaces::tilt;
 };
 
+/// How radiance, times the exposure, becomes what a display shows, each colour by itself.
+enum class ToneCurve : int {
+  filmic = 0,    ///< Narkowicz' fit (2015) of the ACES curve: dark tones darker, lights rolled off
+  reinhard = 1,  ///< x (1 + x/16) / (1 + x): white at 4 (Reinhard et al. 2002, equation 4)
+  linear = 2,    ///< as it is, white from 1 on
+};
+
 struct Moon {
   double elevation = 0.5;  ///< rad above the horizon
   double direction = 0.0;  ///< rad counter-clockwise from east: where it stands
@@ -61,6 +68,10 @@ struct Light {
   double visibility = 28e3;   ///< m, > 0: where haze leaves 2 % of a thing's contrast
   std::optional<Moon> moon{};
   ShadingTerms terms{};
+  ToneCurve toneCurve = ToneCurve::filmic;
+  /// Colours are rounded up or down by a pattern of their pixel, at most one step of 255 off what
+  /// they would be, so that slow gradients show no bands; radiance, depth and labels are not.
+  bool dithers = false;
 };
 
 /// A lamp: a point of light, seen within an arc.
@@ -96,7 +107,6 @@ struct Mesh {
 enum class ObjectKind {
   vessel,   ///< Effect::vesselMeshes
   scenery,  ///< Effect::scenery
-  terrain,  ///< Effect::terrain
 };
 
 /// A mesh placed in the sea plane's frame.

@@ -70,7 +70,7 @@ void keepLargest(const SurfaceAtTime& water, std::span<const double> x, std::spa
 }  // namespace
 
 void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
-                   double bound) {
+                   double bound, const Surf* surf) {
   size_ = layout.size;
   for (auto* values : {&x_, &y_, &z_, &height_, &slopeX_, &slopeY_}) values->resize(vertexCount());
   missingSlope_.resize(size_.y);
@@ -83,8 +83,8 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
   }
   shown_.clear();
   if (layout.rings) shown_ = batchesInView(layout, camera, bound, batch);
-  const SurfaceDetail* detail = water.extras().detail.get();
-  if (detail && !detail->cover.empty()) {
+  surf_ = surf;
+  if (mayHaveCover(water.extras(), surf)) {
     cover_.resize(vertexCount());
   } else {
     cover_.clear();
@@ -166,12 +166,14 @@ double SeaGrid::fillPiece(const SurfaceAtTime& water, const Camera& camera,
   }
   const std::span<const double> xs(x.data(), count), ys(y.data(), count);
   if (asked) sampleWaves(water, xs, ys, plan, waves);
-  if (asked && layout.displacementTolerance > 0.0) {
-    keepLargest(water, xs, ys, plan, layout.displacementTolerance, waves);
+  const double tolerance = layout.displacementToleranceAt(row);
+  if (asked && tolerance > 0.0) {
+    keepLargest(water, xs, ys, plan, tolerance, waves);
   }
   GridCover cover;
   if (asked) {
     cover.sample(water, xs, ys);
+    if (surf_) cover.addSurf(*surf_, water, xs, ys, plan.keptWavelength);
     addExtras(water, xs, ys, plan.keptWavelength, cover, waves.arrays(count));
   }
   double largest = 0.0;

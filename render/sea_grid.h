@@ -12,14 +12,17 @@
 
 namespace seaway::render {
 
+class Surf;
+
 /// A grid's vertices: places, heights and slopes, one array each, row by row from the
 /// nearest. All that the grid cannot carry is left out as BandLimit says, by the row.
 class SeaGrid {
  public:
   /// Fills the grid from `water`; rows are shared among threads, memory is reused between calls.
-  /// Rings are sampled only where the camera may see them, with waves up to `bound` m.
+  /// Rings are sampled only where the camera may see them, with waves up to `bound` m. `surf`: null
+  /// where nothing breaks on a shore.
   void fill(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
-            double bound = 0.0);
+            double bound = 0.0, const Surf* surf = nullptr);
 
   glm::ivec2 size() const { return size_; }
   std::size_t vertexCount() const { return static_cast<std::size_t>(size_.x) * size_.y; }
@@ -75,6 +78,7 @@ class SeaGrid {
   std::vector<double> rowLargest_;
   std::vector<std::uint8_t> shown_;  // one a batch; empty: all
   double largestHeight_ = 0.0;
+  const Surf* surf_ = nullptr;  // while it is filled
 };
 
 }  // namespace seaway::render

@@ -88,7 +88,23 @@ std::vector<ShadowMaps::Caster> ShadowMaps::castersOf(const View& view) const {
   return casters;
 }
 
-void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
+/// Leaves of the last map's box what holds anything, by whole texels. What surrounds a map before
+/// it would be looked up in a coarser one.
+void ShadowMaps::trim(Box& box, double texel) const {
+  Box drawn;
+  for (const Triangle& t : triangles_) {
+    for (const glm::dvec3& p : t.corner) {
+      drawn.least = glm::min(drawn.least, glm::dvec2(p));
+      drawn.most = glm::max(drawn.most, glm::dvec2(p));
+    }
+  }
+  if (triangles_.empty()) return;
+  const glm::dvec2 spare = glm::floor((drawn.least - box.least) / texel);
+  box.most = glm::min(box.most, drawn.most);
+  box.least = glm::min(box.least + glm::max(spare, glm::dvec2(0.0)) * texel, box.most);
+}
+
+void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle, int mostTexels) {
   maps_.clear();
   size_ = {0, 0};
   Box boxes[most];
@@ -112,7 +128,8 @@ void ShadowMaps::place(std::span<const Caster> casters, double pixelAngle) {
     const double extent = extentOf(boxes[i]);
     if (!(extent > 0.0) || (i + 1 < most && extent > 0.5 * extentOf(boxes[i + 1]))) continue;
     // No finer than half a pixel where the nearest shadow may be.
-    const double texel = std::max({extent / side, 0.5 * pixelAngle * nearest[i], finest});
+    const double texel = std::max({extent / mostTexels, 0.5 * pixelAngle * nearest[i], finest});
+    if (i + 1 == most) trim(boxes[i], texel);
     const glm::ivec2 size =
         glm::ivec2(glm::ceil((boxes[i].most - boxes[i].least) / texel)) + 1 + 2 * margin;
     maps_.push_back({boxes[i].least / texel - double{margin}, texel, size, size_.y});
@@ -181,10 +198,13 @@ void ShadowMaps::draw() {
                     &texels_[static_cast<std::size_t>(map.row + top + row) * size_.x]);
       }
     });
+    tiles_[&map - maps_.data()].fill(&texels_[static_cast<std::size_t>(map.row) * size_.x],
+                                     map.size, static_cast<std::size_t>(size_.x));
   }
 }
 
-void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting) {
+void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& lighting,
+                      int mostTexels) {
   const bool isUp = lighting.sunIsOn && lighting.sunDirection.z > lowestSun;
   const bool falls = shown.water || shown.objects;  // on something
   std::vector<Caster> casters;
@@ -202,8 +222,8 @@ void ShadowMaps::fill(const View& view, const Shown& shown, const Lighting& ligh
     *this = {};
     return;
   }
-  place(casters, view.camera.pixelAngle());
   gather(casters);
+  place(casters, view.camera.pixelAngle(), mostTexels);
   draw();
   view.effects->holdMemory(Effect::shadows, texels_.capacity() * sizeof(float) +
                                                 triangles_.capacity() * sizeof(Triangle));

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
+#include "render/cover_tiles.h"
 #include "render/lighting_decision.h"
 #include "render/software/raster.h"
 
@@ -22,17 +24,19 @@ namespace seaway::render {
 class ShadowMaps {
  public:
   static constexpr int most = ShadingConstants::mostShadowMaps;
-  static constexpr int side = 1024;  ///< texels, without a margin
+  static constexpr int side = 1024;  ///< texels at the most, without a margin
 
   /// Decides with the view's ledger and draws the maps where they are called for; else holds
   /// nothing. Needs no OpenGL.
-  void fill(const View& view, const Shown& shown, const Lighting& lighting);
+  void fill(const View& view, const Shown& shown, const Lighting& lighting, int mostTexels = side);
   /// Tells shading what is there.
   void setConstants(ShadingConstants& constants) const;
 
   /// Map below map, row by row: metres towards the sun from `shadowBase`, 0 where nothing is.
   std::span<const float> texels() const { return texels_; }
   glm::ivec2 size() const { return size_; }  ///< of all; (0, 0): no maps
+  /// Of each map.
+  const CoverTiles* tiles() const { return tiles_.data(); }
 
  private:
   struct Caster {
@@ -56,7 +60,8 @@ class ShadowMaps {
   };
   void aim(const View& view, const Lighting& lighting);
   std::vector<Caster> castersOf(const View& view) const;
-  void place(std::span<const Caster> casters, double pixelAngle);
+  void place(std::span<const Caster> casters, double pixelAngle, int mostTexels);
+  void trim(Box& box, double texel) const;
   void gather(std::span<const Caster> casters);
   void add(const glm::dvec3* corners, int count, double level);
   void draw();
@@ -67,6 +72,7 @@ class ShadowMaps {
   std::vector<Map> maps_;
   std::vector<Triangle> triangles_;
   std::vector<float> texels_;
+  std::array<CoverTiles, most> tiles_;
   glm::ivec2 size_{0};
 };
 

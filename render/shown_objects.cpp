@@ -26,8 +26,6 @@ Effect effectOf(ObjectKind kind) {
       return Effect::vesselMeshes;
     case ObjectKind::scenery:
       return Effect::scenery;
-    case ObjectKind::terrain:
-      return Effect::terrain;
   }
   return Effect::count;
 }

@@ -198,12 +198,18 @@ struct Weights {
   }
 };
 
+/// Of numbers that a long long can hold; std::floor is a call on old processors.
+double floorOf(double x) {
+  const auto whole = static_cast<double>(static_cast<long long>(x));
+  return whole > x ? whole - 1.0 : whole;
+}
+
 /// Height and slope (per cell) of a level at a place in its cells.
 struct Sample {
   float height = 0.0f, x = 0.0f, y = 0.0f;
 };
 Sample sampleAt(const WakePyramid::Level& level, double x, double y) {
-  const double floorX = std::floor(x), floorY = std::floor(y);
+  const double floorX = floorOf(x), floorY = floorOf(y);
   const Weights across(static_cast<float>(x - floorX)), up(static_cast<float>(y - floorY));
   const int mask = level.cells - 1;
   const int i = static_cast<int>(static_cast<long long>(floorX) & mask);
@@ -228,7 +234,7 @@ Sample sampleAt(const WakePyramid::Level& level, double x, double y) {
 /// Bilinear between the blocks' centres, periodic.
 float missingAt(const std::vector<float>& missing, double x, double y) {
   constexpr int blocks = WakePyramid::blocks, mask = blocks - 1;
-  const double floorX = std::floor(x - 0.5), floorY = std::floor(y - 0.5);
+  const double floorX = floorOf(x - 0.5), floorY = floorOf(y - 0.5);
   const auto u = static_cast<float>(x - 0.5 - floorX), v = static_cast<float>(y - 0.5 - floorY);
   const int i = static_cast<int>(static_cast<long long>(floorX) & mask);
   const int j = static_cast<int>(static_cast<long long>(floorY) & mask);

@@ -99,6 +99,8 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
   view.light.turbidity = light.turbidity;
   view.light.visibility = light.visibility;
   view.light.terms = light.shading;
+  view.light.toneCurve = light.toneCurve;
+  view.light.dithers = light.dithers;
   if (light.moon) {
     view.light.moon = {radiansFromDegrees(light.moon->elevation_deg),
                        moment.geodesy->directionFromTrueHeading(glm::dvec2(view.camera.position),

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "render/grid_cover.h"
+#include "render/surf.h"
 
 namespace seaway::render {
 
@@ -49,18 +50,20 @@ void CoverMap::resize(glm::ivec2 size) {
   }
 }
 
-void CoverMap::fill(const WaterSurface& water, double t, glm::dvec2 foot,
-                    std::span<const TwinRow> rows, int columns) {
-  const SurfaceExtras& extras = water.extras();
+void CoverMap::fill(const View& view, std::span<const TwinRow> rows, int columns) {
+  const SurfaceExtras& extras = view.water->extras();
   const SurfaceDetail* detail = extras.detail.get();
-  coverIsOn_ = detail && !detail->cover.empty();
-  const bool splashes = extras.events && !extras.events->splashesAbout(t).empty();
+  const std::optional<Surf> surf = surfOf(view);
+  coverIsOn_ = mayHaveCover(extras, surf ? &*surf : nullptr);
+  const bool splashes = extras.events && !extras.events->splashesAbout(view.time).empty();
   extrasAreOn_ = splashes || (detail && (!detail->ripples.empty() || detail->smooths()));
   if (!coverIsOn_ && !extrasAreOn_) return;
   resize({columns, static_cast<int>(rows.size())});
-  const SurfaceAtTime now = water.at(t);
-  tbb::parallel_for(0, size_.y,
-                    [&](int row) { fillRow(now, foot, rows[static_cast<std::size_t>(row)], row); });
+  const SurfaceAtTime now = view.water->at(view.time);
+  const glm::dvec2 foot(view.camera.position);
+  tbb::parallel_for(0, size_.y, [&](int row) {
+    fillRow(now, foot, rows[static_cast<std::size_t>(row)], surf ? &*surf : nullptr, row);
+  });
   if (coverIsOn_) {
     glTextureSubImage2D(cover_, 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE,
                         covers_.data());
@@ -70,7 +73,8 @@ void CoverMap::fill(const WaterSurface& water, double t, glm::dvec2 foot,
   }
 }
 
-void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row, int index) {
+void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row,
+                       const Surf* surf, int index) {
   std::array<double, gridChunk> x, y;
   std::array<float, gridChunk> height, slopeX, slopeY;
   GridCover cover;
@@ -83,6 +87,7 @@ void CoverMap::fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRo
     const auto some = static_cast<std::size_t>(count);
     const std::span<const double> xs(x.data(), some), ys(y.data(), some);
     cover.sample(water, xs, ys);
+    if (surf) cover.addSurf(*surf, water, xs, ys, row.keptWavelength);
     const std::size_t at = static_cast<std::size_t>(index) * size_.x + first;
     for (std::size_t i = 0; cover.any && i < some; ++i) covers_[at + i] = cover.packed(i);
     if (!extrasAreOn_) continue;

@@ -9,18 +9,19 @@
 
 #include "render/field_twin.h"
 #include "render/gl/gl_objects.h"
-#include "surface/water_surface.h"
+#include "render/render_technique.h"
 
 namespace seaway::render {
+
+class Surf;
 
 /// What the processor adds to the wave map: what lies on the water, and what disturbs it beside
 /// waves and wakes, at the grid's vertices. Textures of the map's size, made when first called for.
 class CoverMap {
  public:
-  /// Works out both for a grid of `rows` of `columns` points around `foot`. Where nothing is called
-  /// for this does nothing.
-  void fill(const WaterSurface& water, double t, glm::dvec2 foot, std::span<const TwinRow> rows,
-            int columns);
+  /// Works out both for a grid of `rows` of `columns` points about the camera's foot. Where nothing
+  /// is called for this does nothing.
+  void fill(const View& view, std::span<const TwinRow> rows, int columns);
 
   /// Foam, smoothed water and oil, RGBA8; 0 where nothing lies on the water.
   GLuint cover() const { return coverIsOn_ ? cover_ : 0; }
@@ -32,7 +33,8 @@ class CoverMap {
 
  private:
   void resize(glm::ivec2 size);
-  void fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row, int index);
+  void fillRow(const SurfaceAtTime& water, glm::dvec2 foot, const TwinRow& row, const Surf* surf,
+               int index);
 
   glm::ivec2 size_{0};
   GlTexture cover_, extras_;

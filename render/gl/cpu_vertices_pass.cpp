@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "render/surf.h"
+
 namespace seaway::render {
 
 CpuVerticesPass::CpuVerticesPass()
@@ -18,10 +20,10 @@ std::string_view CpuVerticesPass::variant() const {
   return gridVariantName(GridVariant::cpuVertices);
 }
 
-SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector,
-                                    glm::ivec2 size) {
+SeaPlacement CpuVerticesPass::place(const View& view, const Projector& projector, glm::ivec2 size) {
+  const std::optional<Surf> surf = surfOf(view);
   grid_.fill(view.water->at(view.time), view.camera,
-             projectedLayout(projector, view.water->waves(), size));
+             projectedLayout(projector, view.water->waves(), size), 0.0, surf ? &*surf : nullptr);
   mesh_.fill(grid_, view.camera);
   return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};
 }
@@ -40,7 +42,8 @@ void CpuVerticesPass::draw(const FrameTargets&, const glm::mat4& clipFromRelativ
 }
 
 std::size_t CpuVerticesPass::memoryBytes() const {
-  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes();
+  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() +
+         indices_.memoryBytes();
 }
 
 }  // namespace seaway::render

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "render/surf.h"
+
 namespace seaway::render {
 
 GpuNormalsPass::GpuNormalsPass()
@@ -17,8 +19,10 @@ std::string_view GpuNormalsPass::variant() const {
 
 SeaPlacement GpuNormalsPass::place(const View& view, const Projector& projector, glm::ivec2 size) {
   vertexCount_ = size / 8 + 1;
+  const std::optional<Surf> surf = surfOf(view);
   grid_.fill(view.water->at(view.time), view.camera,
-             projectedLayout(projector, view.water->waves(), vertexCount_));
+             projectedLayout(projector, view.water->waves(), vertexCount_), 0.0,
+             surf ? &*surf : nullptr);
   mesh_.fill(grid_, view.camera);
   waves_.fill(view, projector, size);
   return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(view.camera)};

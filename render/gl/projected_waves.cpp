@@ -14,7 +14,7 @@ void ProjectedWaves::fill(const View& view, const Projector& projector, glm::ive
   const glm::dvec2 foot(view.camera.position);
   const FieldTwin field(view.water->waves(), view.time, foot);
   rows_ = twinRows(projector, view.water->waves(), size);
-  coverMap_.fill(*view.water, view.time, foot, rows_, size.x);
+  coverMap_.fill(view, rows_, size.x);
   glBindVertexArray(noVertices_);
   if (const auto disturbances = view.water->disturbances()) {
     wakes_.fill(disturbances.get(), view.time, foot,

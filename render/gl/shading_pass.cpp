@@ -41,6 +41,8 @@ void setLight(const GlProgram& program, const ShadingConstants& c) {
   program.set("aerosolShape", c.aerosolShape);
   program.set("airExtinction", c.airExtinction);
   program.set("exposure", c.exposure);
+  program.set("toneCurve", c.toneCurve);
+  program.set("dithers", c.dithers ? 1 : 0);
   program.set("hazeIsOn", c.hazeIsOn ? 1 : 0);
   program.set("specular", c.specular);
   program.set("extinctionIsLinear", c.extinctionIsLinear ? 1 : 0);
@@ -116,6 +118,7 @@ void setUnderWater(const GlProgram& program, const ShadingConstants& c) {
   program.set("depthsSize", c.depthsSize);
   program.set("stillWater", c.stillWater);
   program.set("sunInWater", c.sunInWater);
+  program.set("sunThroughSurface", c.sunThroughSurface);
   program.set("eyeVeil", c.eyeVeil);
   program.set("waterlineIsOn", c.waterlineIsOn ? 1 : 0);
   program.set("waterlinePerPixel", c.waterlinePerPixel);
@@ -253,7 +256,7 @@ void ShadingPass::shade(const FrameTargets& targets, const ShadingInput& input) 
 void ShadingPass::mapTones(const FrameTargets& targets, const ShadingInput& input) {
   setShadingConstants(toneMap_, input.constants);
   toneMap_.setTexture("radianceMap", 1, targets.radiance);
-  glEnable(GL_FRAMEBUFFER_SRGB);
+  if (!input.constants.dithers) glEnable(GL_FRAMEBUFFER_SRGB);
   drawFullScreen(toneMap_, targets.toneMapping, targets.size);
   glDisable(GL_FRAMEBUFFER_SRGB);
 }

@@ -85,8 +85,12 @@ GLuint ShadingTextures::fill(const LocalImage& image, Local& local) {
     local.size = glm::max(local.size, image.size + image.size / 2);
     local.texture = makeTexture(GL_RGBA32F, local.size, GL_NEAREST);
   }
+  std::vector<glm::vec4> texels(image.light.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    texels[i] = glm::vec4(image.radiance(i), image.nearness[i]);
+  }
   glTextureSubImage2D(local.texture, 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT,
-                      image.texels.data());
+                      texels.data());
   return local.texture;
 }
 

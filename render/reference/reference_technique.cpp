@@ -9,6 +9,7 @@
 #include "render/grid_placement.h"
 #include "render/reference/band_limited_sea.h"
 #include "render/software/strip_technique.h"
+#include "render/surf.h"
 #include "surface/curvature.h"
 
 namespace seaway::render {
@@ -35,8 +36,11 @@ class ReferenceTechnique final : public StripTechnique {
     return {*water_, wakes_, layout_, glm::dvec2(view.camera.position)};
   }
 
+  const Surf* surf() const { return surf_ ? &*surf_ : nullptr; }
+
   ProjectedGridOptions options_;
   std::optional<SurfaceAtTime> water_;
+  std::optional<Surf> surf_;
   WakesInView wakes_;
   GridLayout layout_;
   double reach_ = 0.0;
@@ -57,8 +61,8 @@ bool ReferenceTechnique::placeSea(const View& view, FrameStats& stats) {
   water_.emplace(view.water->at(view.time));
   wakes_.fill(water_->disturbances(), view.time, glm::dvec2(view.camera.position), layout_);
   points_.resize(static_cast<std::size_t>(view.camera.size.x) * view.camera.size.y);
-  const SurfaceDetail* detail = view.water->extras().detail.get();
-  cover_.resize(detail && !detail->cover.empty() ? points_.size() : 0);
+  surf_ = surfOf(view);
+  cover_.resize(mayHaveCover(water_->extras(), surf()) ? points_.size() : 0);
   return true;
 }
 
@@ -82,7 +86,8 @@ void ReferenceTechnique::rasterSea(const View& view, Strip& strip) {
       const std::size_t pixel = static_cast<std::size_t>(row) * strip.width + column;
       const glm::dvec2 place = glm::dvec2(ray) * *distance;
       points_[pixel] = surface.at(place);
-      if (!cover_.empty()) cover_[pixel] = coverAt(*water_, glm::dvec2(camera.position) + place);
+      if (cover_.empty()) continue;
+      cover_[pixel] = coverAt(*water_, surf(), glm::dvec2(camera.position) + place);
     }
   });
 }

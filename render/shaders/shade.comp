@@ -25,11 +25,6 @@ vec3 pixelRadiance(ivec2 pixel, vec3 ray) {
                        texelFetch(albedoMap, pixel, 0).rgb);
 }
 
-vec3 srgb(vec3 linear) {
-  vec3 curve = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
-  return mix(curve, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
-}
-
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   ivec2 size = imageSize(displayImage);
@@ -38,6 +33,8 @@ void main() {
   vec3 radiance = pixelRadiance(pixel, middleRay + screen.x * right + screen.y * up);
   radiance = min(radiance, vec3(6e4));
   if (radianceIsWanted) imageStore(radianceImage, pixel, vec4(radiance, 1.0));
-  vec3 display = srgb(filmic(radiance));
-  imageStore(displayImage, ivec2(pixel.x, size.y - 1 - pixel.y), vec4(display, 1.0));
+  vec3 display = srgb(toneMapped(radiance));
+  ivec2 place = ivec2(pixel.x, size.y - 1 - pixel.y);
+  if (dithers) display += (ditherAt(float(place.x), float(place.y)) - 0.5) / 255.0;
+  imageStore(displayImage, place, vec4(display, 1.0));
 }

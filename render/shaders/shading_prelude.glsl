@@ -40,6 +40,9 @@ uniform bool windowIsOn, depthsAreOn, waterlineIsOn;
 uniform vec2 windowLeast, windowSize, depthsLeast, depthsSize;
 uniform float stillWater, shadowBase;
 uniform vec3 sunInWater, eyeVeil, sunPartBelow;
+uniform float sunThroughSurface;
+uniform int toneCurve;
+uniform bool dithers;
 uniform vec2 waterlinePerPixel;
 const int waterlineCells = 64;
 uniform int shadowCount;
@@ -73,6 +76,11 @@ const float rainWavelength = 0.055f, rainHalfWidth = 0.07f, rainHeight = 0.003f;
 vec2 cosineAndSine(float turns) {
   float angle = 6.2831853 * (turns - floor(turns + 0.5));
   return vec2(cos(angle), sin(angle));
+}
+
+vec3 srgb(vec3 linear) {
+  vec3 curve = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
+  return mix(curve, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
 }
 
 uniform sampler2D foamMap;       // numbers of [0, 1], equally frequent; by mip level
@@ -134,6 +142,8 @@ vec3 localLight(sampler2D map, vec2 at, vec2 size, inout float part) {
 float mirrorNearness(vec2 pixel) {
   return localTexel(mirrorMap, floor(pixel + 0.5) - mirrorLeast, mirrorSize).w;
 }
+// Whether what is mirrored may show between two pixels.
+bool mirrorMayShow(vec2 from, vec2 to, float asked) { return asked > 0.0; }
 vec3 mirrorLight(vec2 pixel, inout float part) {
   return localLight(mirrorMap, pixel - mirrorLeast, mirrorSize, part);
 }
@@ -157,6 +167,8 @@ vec3 depthsLight(vec2 pixel, inout float part) {
 
 uniform sampler2D shadowMap;     // ShadowMaps
 uniform sampler2D waterlineMap;  // Waterline: top row first
+// Whether a shadow may fall on a place of map i.
+bool shadowMayFall(int i, vec2 at, float asked) { return asked > 0.0; }
 float shadowHeight(float column, float row) {
   return texelFetch(shadowMap, ivec2(column, row), 0).r;
 }

@@ -17,12 +17,13 @@
 #ifndef SEAWAY_TONE_TABLE
 #define SEAWAY_TONE_TABLE
 namespace seaway::render {
-/// sRGB bytes of exposed radiance, by its root: the root spreads the steps so that none is larger
-/// than a third of a byte. Two more bytes than steps, for fetches of words.
+/// 256 times the sRGB bytes of exposed radiance, by its root: the root spreads the steps so that
+/// none is larger than a third of a byte, of a linear curve near black than two thirds. One more
+/// than steps, for fetches of words.
 struct ToneTable {
   static constexpr int steps = 8192;
   static constexpr float perRoot = 2048.0f;  // up to 16, which is white
-  std::array<std::uint8_t, steps + 4> bytes{};
+  std::array<std::uint16_t, steps + 1> fine{};
 };
 }  // namespace seaway::render
 #endif
@@ -65,11 +66,28 @@ HWY_INLINE Corners wrappedCorners(Real2 place, Real side, VI start) {
           {place.x - x0, place.y - y0}};
 }
 
-HWY_INLINE Real3 skyTexel(VU word) {
+HWY_INLINE Real3 sharedExponentLight(VU word) {
   // RGB9E5: mantissas times 2^(exponent − 24).
   const VU exponent = hn::Add(hn::ShiftRight<27>(word), hn::Set(Words(), 127u - 24u));
   const Real scale = hn::BitCast(Floats(), hn::ShiftLeft<23>(exponent));
   return Real3(bitField<0, 9>(word), bitField<9, 9>(word), bitField<18, 9>(word)) * scale;
+}
+
+/// The reverse, rounded; 2⁻²⁴ of red for no light at all.
+HWY_INLINE VU sharedExponentWord(Real3 light) {
+  const Words w;
+  const Real most = max(max(light.x, light.y), light.z);
+  // A little more than the largest, so that it is not rounded up to 512.
+  const VU above = hn::BitCast(w, min(max(most * 1.001f, 1.6e-5f), 65000.0f).v);
+  const VU exponent = hn::Sub(hn::ShiftRight<23>(above), hn::Set(w, 111u));
+  const VU inverse = hn::ShiftLeft<23>(hn::Sub(hn::Set(w, 127u + 24u), exponent));
+  const Real scale = hn::BitCast(Floats(), inverse);
+  const auto mantissa = [&](Real part) HWY_ATTR {
+    return hn::BitCast(w, toInt(clamp(part * scale + 0.5f, 0.0f, 511.0f)));
+  };
+  const VU word = hn::Or(hn::Or(mantissa(light.x), hn::ShiftLeft<9>(mantissa(light.y))),
+                         hn::Or(hn::ShiftLeft<18>(mantissa(light.z)), hn::ShiftLeft<27>(exponent)));
+  return hn::Max(word, hn::Set(w, 1u));
 }
 
 HWY_INLINE Real2 rippleTexel(VU word) {
@@ -91,6 +109,12 @@ struct Level {
 };
 HWY_INLINE Level levelOf(int side, Real level) {
   const Floats f;
+  // Neighbours mostly share a level: then nothing waits for what follows.
+  const float first = hn::GetLane(level.v);
+  if (!anyOf(abs(level - first) > 0.0f)) {
+    const int here = side >> static_cast<int>(first);
+    return {setInt((side * side - here * here) / 3 * 4), static_cast<float>(here)};
+  }
   const VI exponent = hn::Sub(setInt(127), toInt(level));
   const Real part = hn::BitCast(f, hn::ShiftLeft<23>(exponent));  // 2^−level
   const Real here = part * Real(static_cast<float>(side));
@@ -102,44 +126,43 @@ HWY_INLINE Level levelOf(int side, Real level) {
 struct PixelShader : ShadingConstants {
   const std::uint32_t* skyTexels;
   const ShadingTables& tables = shadingTables();
-  const float* foam;                            // null where foam is off
+  const float* foam;  // null where foam is off
   // Null where there are none.
-  const glm::vec4 *mirrorTexels, *belowTexels, *windowTexels, *depthsTexels;
+  const LocalImage *mirrorImage, *belowImage, *windowImage, *depthsImage;
   const float *shadows, *waterline;
+  const CoverTiles* shadowTiles;
   float shadowWidth;
 
   HWY_INLINE explicit PixelShader(const ShadingSources& sources)
       : ShadingConstants(sources.constants),
         skyTexels(sources.sky),
         foam(sources.constants.foamIsOn ? foamTable().texels.data() : nullptr),
-        mirrorTexels(texelsOf(sources.mirrored)),
-        belowTexels(texelsOf(sources.below)),
-        windowTexels(texelsOf(sources.window)),
-        depthsTexels(texelsOf(sources.depths)),
+        mirrorImage(sources.mirrored),
+        belowImage(sources.below),
+        windowImage(sources.window),
+        depthsImage(sources.depths),
         shadows(sources.shadows),
         waterline(sources.waterline),
+        shadowTiles(sources.shadowTiles),
         shadowWidth(static_cast<float>(sources.shadowWidth)) {}
 
-  static const glm::vec4* texelsOf(const LocalImage* image) {
-    return image ? image->texels.data() : nullptr;
-  }
-
-  /// First number of a texel of a local picture; where there is none, of any, and `inside` 0.
+  /// Number of a texel of a local picture; where there is none, of any, and `inside` 0.
   HWY_INLINE VI localTexel(Real column, Real row, glm::vec2 size, Real& inside) const {
-    inside = choose(column >= 0.0f, 1.0f, 0.0f) * choose(row >= 0.0f, 1.0f, 0.0f) *
-             choose(column < size.x, 1.0f, 0.0f) * choose(row < size.y, 1.0f, 0.0f);
-    return hn::ShiftLeft<2>(toInt((row * size.x + column) * inside));
+    const Mask there = column >= 0.0f && row >= 0.0f && column < size.x && row < size.y;
+    inside = choose(there, 1.0f, 0.0f);
+    return toInt((row * size.x + column) * inside);
   }
-  HWY_INLINE Real localNearness(const glm::vec4* texels, glm::vec2 least, glm::vec2 size,
+  HWY_INLINE Real localNearness(const LocalImage* image, glm::vec2 least, glm::vec2 size,
                                 Real2 pixel) const {
     // Far off pixels are held where their numbers are exact.
     const Real column = clamp(floor(pixel.x + 0.5f) - least.x, -1.0f, size.x);
     const Real row = clamp(floor(pixel.y + 0.5f) - least.y, -1.0f, size.y);
     Real inside;
     const VI at = localTexel(column, row, size, inside);
-    return gather(&texels[0].w, at) * inside;
+    if (!anyOf(inside > 0.0f)) return inside;
+    return gather(image->nearness.data(), at) * inside;
   }
-  HWY_INLINE Real3 localLight(const glm::vec4* texels, glm::vec2 least, glm::vec2 size, Real2 pixel,
+  HWY_INLINE Real3 localLight(const LocalImage* image, glm::vec2 least, glm::vec2 size, Real2 pixel,
                               Real& part) const {
     const Real x = clamp(pixel.x - least.x, -2.0f, size.x + 1.0f);
     const Real y = clamp(pixel.y - least.y, -2.0f, size.y + 1.0f);
@@ -152,34 +175,62 @@ struct PixelShader : ShadingConstants {
       const VI at = localTexel(column + across, row + along, size, inside);
       const Real weight =
           inside * abs(x - column - (1.0f - across)) * abs(y - row - (1.0f - along));
-      const Real shown = choose(gather(&texels[0].w, at) > 0.0f, weight, 0.0f);
-      light = light +
-              Real3(gather(&texels[0].x, at), gather(&texels[0].y, at), gather(&texels[0].z, at)) *
-                  shown;
+      const VU word = gather(image->light.data(), at);
+      const Mask covered = {hn::RebindMask(Floats(), hn::Ne(word, hn::Zero(Words())))};
+      const Real shown = choose(covered, weight, 0.0f);
+      light = light + sharedExponentLight(word) * shown;
       part = part + shown;
     }
     return light;
   }
   HWY_INLINE Real mirrorNearness(Real2 pixel) const {
-    return localNearness(mirrorTexels, mirrorLeast, mirrorSize, pixel);
+    return localNearness(mirrorImage, mirrorLeast, mirrorSize, pixel);
   }
   HWY_INLINE Real3 mirrorLight(Real2 pixel, Real& part) const {
-    return localLight(mirrorTexels, mirrorLeast, mirrorSize, pixel, part);
+    return localLight(mirrorImage, mirrorLeast, mirrorSize, pixel, part);
   }
   HWY_INLINE Real belowNearness(Real2 pixel) const {
-    return localNearness(belowTexels, belowLeast, belowSize, pixel);
+    return localNearness(belowImage, belowLeast, belowSize, pixel);
   }
   HWY_INLINE Real3 belowLight(Real2 pixel, Real& part) const {
-    return localLight(belowTexels, belowLeast, belowSize, pixel, part);
+    return localLight(belowImage, belowLeast, belowSize, pixel, part);
   }
   HWY_INLINE Real3 windowLight(Real2 pixel, Real& part) const {
-    return localLight(windowTexels, windowLeast, windowSize, pixel, part);
+    return localLight(windowImage, windowLeast, windowSize, pixel, part);
   }
   HWY_INLINE Real depthsNearness(Real2 pixel) const {
-    return localNearness(depthsTexels, depthsLeast, depthsSize, pixel);
+    return localNearness(depthsImage, depthsLeast, depthsSize, pixel);
   }
   HWY_INLINE Real3 depthsLight(Real2 pixel, Real& part) const {
-    return localLight(depthsTexels, depthsLeast, depthsSize, pixel, part);
+    return localLight(depthsImage, depthsLeast, depthsSize, pixel, part);
+  }
+  /// Whether tiles hold anything within `margin` of the box of two places, for pixels that are
+  /// `asked`.
+  static HWY_INLINE bool mayHold(const CoverTiles& tiles, Real2 from, Real2 to, Real asked,
+                                 float margin) {
+    const Floats f;
+    const Mask who = asked > 0.0f;
+    const auto least = [&](Real a, Real b) HWY_ATTR {
+      const Real low = choose(who, min(a, b), 1e6f);
+      const float found = hn::GetLane(hn::MinOfLanes(f, low.v));
+      return static_cast<int>(std::fmin(std::fmax(found, -1e6f), 1e6f) - margin) - 1;
+    };
+    const auto most = [&](Real a, Real b) HWY_ATTR {
+      const Real high = choose(who, max(a, b), -1e6f);
+      const float found = hn::GetLane(hn::MaxOfLanes(f, high.v));
+      return static_cast<int>(std::fmin(std::fmax(found, -1e6f), 1e6f) + margin) + 1;
+    };
+    return tiles.mayHold({least(from.x, to.x), least(from.y, to.y)},
+                         {most(from.x, to.x), most(from.y, to.y)});
+  }
+  HWY_INLINE bool mirrorMayShow(Real2 from, Real2 to, Real asked) const {
+    if (!anyOf(asked > 0.0f)) return false;
+    const Real2 least(mirrorLeast.x, mirrorLeast.y);
+    return mayHold(mirrorImage->tiles, from - least, to - least, asked, 1.0f);
+  }
+  HWY_INLINE bool shadowMayFall(int i, Real2 at, Real asked) const {
+    if (!anyOf(asked > 0.0f)) return false;
+    return !shadowTiles || mayHold(shadowTiles[i], at, at, asked, 1.5f);
   }
   // Numbers of texels stay below 2²⁴: exact in float.
   HWY_INLINE Real shadowHeight(Real column, Real row) const {
@@ -193,7 +244,7 @@ struct PixelShader : ShadingConstants {
     const Level l = levelOf(SkyDome::side, level);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     return bilinear(skyTexels, clampedCorners(place, l.side, l.side, l.start),
-                    [](VU word) HWY_ATTR { return render::HWY_NAMESPACE::skyTexel(word); });
+                    [](VU word) HWY_ATTR { return sharedExponentLight(word); });
   }
   HWY_INLINE Real3 skyTexel(Real2 coordinate, Real level) const {
     if (!skyIsOn) return Real3(skyLight);
@@ -205,11 +256,26 @@ struct PixelShader : ShadingConstants {
     return mix(finer, skyAtLevel(coordinate, high), part);
   }
 
+  /// Part of a pattern's variance that is left at a level, and `here` at the whole level before it.
+  /// Neighbours mostly share that one.
+  HWY_INLINE Real keptBetween(const float (&kept)[8], Real level, Real whole, Real& here) const {
+    Real next;
+    const float first = hn::GetLane(whole.v);
+    if (anyOf(abs(whole - first) > 0.0f)) {
+      const VI index = toInt(whole);
+      here = gather(kept, index);
+      next = gather(kept, hn::Add(index, setInt(1)));
+    } else {
+      here = Real(kept[static_cast<int>(first)]);
+      next = Real(kept[static_cast<int>(first) + 1]);
+    }
+    return mix(here, next, level - whole);
+  }
+
   HWY_INLINE Real3 rippleMoments(Real2 coordinate, Real level) const {
     const Real clamped = clamp(level, 0.0f, rippleLastLevel), whole = floor(clamped);
-    const VI index = toInt(whole);
-    const Real here = gather(rippleKept, index);
-    const Real kept = mix(here, gather(rippleKept, hn::Add(index, setInt(1))), clamped - whole);
+    Real here;
+    const Real kept = keptBetween(rippleKept, clamped, whole, here);
     const Level l = levelOf(ShadingTables::rippleSide, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     const Corners c = wrappedCorners(place, l.side, l.start);
@@ -225,9 +291,8 @@ struct PixelShader : ShadingConstants {
   /// The foam's pattern and the part of its variance that is left at a level.
   HWY_INLINE Real2 foamTexel(Real2 coordinate, Real level) const {
     const Real clamped = clamp(level, 0.0f, foamLastLevel), whole = floor(clamped);
-    const VI index = toInt(whole);
-    const Real here = gather(foamKept, index);
-    const Real kept = mix(here, gather(foamKept, hn::Add(index, setInt(1))), clamped - whole);
+    Real here;
+    const Real kept = keptBetween(foamKept, clamped, whole, here);
     const Level l = levelOf(FoamTable::side, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     const Corners c = wrappedCorners(place, l.side, l.start);
@@ -261,9 +326,9 @@ struct PixelShader : ShadingConstants {
 
 #define SHADER HWY_INLINE
 #define INOUT(type) type&
-#include "render/shading/rain_rings.glsl.h"
-#include "render/shading/optics.glsl.h"
 #include "render/shading/night_lights.glsl.h"
+#include "render/shading/optics.glsl.h"
+#include "render/shading/rain_rings.glsl.h"
 #include "render/shading/sea_shading.glsl.h"
 #include "render/shading/shadows.glsl.h"
 #include "render/shading/under_water.glsl.h"
@@ -275,6 +340,20 @@ struct PixelShader : ShadingConstants {
 HWY_INLINE Mask isKind(VU kinds, ShadedAs kind) {
   const Words w;
   return {hn::RebindMask(Floats(), hn::Eq(kinds, hn::Set(w, static_cast<std::uint32_t>(kind))))};
+}
+
+/// What is added to ToneTable's numbers before they are cut to bytes: a half, or what dithers.
+HWY_INLINE VI roundings(PixelShader& shader, Real column, Real row) {
+  if (!shader.dithers) return setInt(128);
+  return toInt(floor(min(shader.ditherAt(column, row) * 256.0f, 255.0f)));
+}
+
+HWY_INLINE VI toneByte(const ToneTable& tones, Real exposed, VI rounding) {
+  const Real root = sqrt(max(exposed, 0.0f)) * ToneTable::perRoot;
+  const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
+  const auto* from = reinterpret_cast<const std::int32_t*>(tones.fine.data());
+  const VI word = hn::GatherOffset(Ints(), from, hn::ShiftLeft<1>(at));
+  return hn::ShiftRight<8>(hn::Add(hn::And(word, setInt(0xFFFF)), rounding));
 }
 
 HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
@@ -323,7 +402,7 @@ HWY_INLINE Real3 radianceAt(PixelShader& shader, const PixelSpan& span, int i) {
     radiance = choose(
         object,
         shader.objectRadiance(relative, distance, load(span.normal), load(span.reflectance), place),
-               radiance);
+        radiance);
   }
   return radiance;
 }
@@ -337,6 +416,13 @@ void ShadeRadiance(const ShadingSources& sources, const PixelSpan& span, glm::ve
   }
 }
 
+void ShadeWords(const ShadingSources& sources, const PixelSpan& span, std::uint32_t* to) {
+  PixelShader shader(sources);
+  for (int i = 0; i < span.count; i += static_cast<int>(laneCount())) {
+    hn::StoreU(sharedExponentWord(radianceAt(shader, span, i)), Words(), to + i);
+  }
+}
+
 void FoamParts(const ShadingSources& sources, const PixelSpan& span, float* parts) {
   PixelShader shader(sources);
   const Floats f;
@@ -346,9 +432,9 @@ void FoamParts(const ShadingSources& sources, const PixelSpan& span, float* part
     const Real axial = hn::Load(f, span.axial + i);
     const Real lying = span.hasCover ? Real(hn::Load(f, span.cover[0] + i)) : Real(0.0f);
     const Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
-    const Real part = shader.foamPart(ray * axial, sqrt(dot(ray, ray)) * axial, slope,
-                                      hn::Load(f, span.missingSlope + i),
-                                      hn::Load(f, span.height + i), lying);
+    const Real part =
+        shader.foamPart(ray * axial, sqrt(dot(ray, ray)) * axial, slope,
+                        hn::Load(f, span.missingSlope + i), hn::Load(f, span.height + i), lying);
     const VU kinds = hn::Load(Words(), reinterpret_cast<const std::uint32_t*>(span.kind + i));
     hn::Store(choose(isKind(kinds, ShadedAs::water), part, Real(0.0f)).v, f, parts + i);
   }
@@ -377,31 +463,55 @@ void ShadeSpan(const ShadingSources& sources, const ToneTable& tones, const Pixe
   const int lanes = static_cast<int>(laneCount());
   PixelShader shader(sources);
   alignas(64) std::uint8_t colours[3 * pixelsPerSpan + 3 * 64];
-  const auto encode = [&](Real radiance) HWY_ATTR {
-    const Real root = sqrt(max(radiance * shader.exposure, 0.0f)) * ToneTable::perRoot;
-    const VI at = toInt(min(root + 0.5f, ToneTable::steps - 1.0f));
-    const auto* from = reinterpret_cast<const std::int32_t*>(tones.bytes.data());
-    const VI word = hn::GatherOffset(Ints(), from, at);
-    return hn::DemoteTo(bytes, hn::And(word, setInt(255)));
-  };
   for (int i = 0; i < span.count; i += lanes) {
     const Real3 radiance = radianceAt(shader, span, i);
+    const VI rounding = roundings(shader, hn::Iota(Floats(), static_cast<float>(span.first.x + i)),
+                                  Real(span.first.y));
+    const auto encode = [&](Real linear) HWY_ATTR {
+      return hn::DemoteTo(bytes, toneByte(tones, linear * shader.exposure, rounding));
+    };
     hn::StoreInterleaved3(encode(radiance.x), encode(radiance.y), encode(radiance.z), bytes,
                           colours + 3 * i);
   }
   std::memcpy(rgb, colours, 3 * static_cast<std::size_t>(span.count));
 }
 
-void FillTones(ToneTable& tones) {
-  const ShadingConstants constants;
+void MapTones(std::span<const glm::vec3> radiance, const ToneTable& tones,
+              const ToneMapping& mapping, glm::ivec2 first, std::uint8_t* rgb) {
+  ShadingConstants constants;
+  constants.dithers = mapping.dithers;
+  PixelShader shader(ShadingSources{constants});
+  const Floats f;
+  const std::size_t lanes = laneCount();
+  alignas(64) float column[16], exposed[3][16];
+  alignas(64) std::int32_t bytes[16];
+  for (std::size_t i = 0; i < radiance.size(); i += lanes) {
+    const std::size_t some = std::min(lanes, radiance.size() - i);
+    for (std::size_t k = 0; k < some; ++k) {
+      column[k] = static_cast<float>(first.x) + static_cast<float>(i + k);
+      for (int c = 0; c < 3; ++c) exposed[c][k] = radiance[i + k][c] * mapping.exposure;
+    }
+    const VI rounding = roundings(shader, hn::Load(f, column), Real(static_cast<float>(first.y)));
+    for (int c = 0; c < 3; ++c) {
+      hn::Store(toneByte(tones, hn::Load(f, exposed[c]), rounding), Ints(), bytes);
+      for (std::size_t k = 0; k < some; ++k) {
+        rgb[3 * (i + k) + c] = static_cast<std::uint8_t>(bytes[k]);
+      }
+    }
+  }
+}
+
+void FillTones(ToneCurve curve, ToneTable& tones) {
+  ShadingConstants constants;
+  constants.toneCurve = static_cast<int>(curve);
   PixelShader shader(ShadingSources{constants});
   for (int i = 0; i < ToneTable::steps; ++i) {
     const float root = static_cast<float>(i) / ToneTable::perRoot;
-    const Real3 shown = shader.filmic(Real3(glm::vec3(root * root)));
+    const Real3 shown = shader.toneMapped(Real3(glm::vec3(root * root)));
     const double linear = hn::GetLane(shown.x.v);
     const double encoded =
         linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    tones.bytes[i] = static_cast<std::uint8_t>(255.0 * encoded + 0.5);
+    tones.fine[i] = static_cast<std::uint16_t>(256.0 * 255.0 * std::min(encoded, 1.0) + 0.5);
   }
 }
 
@@ -415,9 +525,11 @@ namespace seaway::render {
 
 HWY_EXPORT(ShadeSpan);
 HWY_EXPORT(ShadeRadiance);
+HWY_EXPORT(ShadeWords);
 HWY_EXPORT(FoamParts);
 HWY_EXPORT(SlopesSeen);
 HWY_EXPORT(FillTones);
+HWY_EXPORT(MapTones);
 
 void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen) {
   HWY_DYNAMIC_DISPATCH(SlopesSeen)(sources, span, seen);
@@ -427,31 +539,31 @@ void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* 
   HWY_DYNAMIC_DISPATCH(ShadeRadiance)(sources, span, radiance);
 }
 
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint32_t* words) {
+  HWY_DYNAMIC_DISPATCH(ShadeWords)(sources, span, words);
+}
+
 namespace {
 
-const ToneTable& toneTable() {
-  static const ToneTable tones = [] {
-    ToneTable made;
-    HWY_DYNAMIC_DISPATCH(FillTones)(made);
+const ToneTable& toneTable(ToneCurve curve) {
+  static const auto tones = [] {
+    std::array<ToneTable, 3> made;
+    for (int i = 0; i < 3; ++i) HWY_DYNAMIC_DISPATCH(FillTones)(static_cast<ToneCurve>(i), made[i]);
     return made;
   }();
-  return tones;
+  return tones[static_cast<std::size_t>(curve)];
 }
 
 }  // namespace
 
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb) {
-  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, toneTable(), span, rgb);
+  const auto curve = static_cast<ToneCurve>(sources.constants.toneCurve);
+  HWY_DYNAMIC_DISPATCH(ShadeSpan)(sources, toneTable(curve), span, rgb);
 }
 
-void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t* rgb) {
-  const ToneTable& tones = toneTable();
-  for (const glm::vec3& pixel : radiance) {
-    for (int c = 0; c < 3; ++c) {
-      const float root = std::sqrt(std::max(pixel[c] * exposure, 0.0f)) * ToneTable::perRoot;
-      *rgb++ = tones.bytes[static_cast<std::size_t>(std::min(root + 0.5f, ToneTable::steps - 1.0f))];
-    }
-  }
+void mapTones(std::span<const glm::vec3> radiance, const ToneMapping& tones, glm::ivec2 first,
+              std::uint8_t* rgb) {
+  HWY_DYNAMIC_DISPATCH(MapTones)(radiance, toneTable(tones.curve), tones, first, rgb);
 }
 
 void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts) {

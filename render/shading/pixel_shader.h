@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <span>
 
+#include "render/cover_tiles.h"
 #include "render/local_image.h"
+#include "render/render_technique.h"
 #include "render/shading/shading_constants.h"
 
 /// Shading on the processor, a vector of pixels at a time: sea_shading.glsl.h in C++.
@@ -25,6 +28,7 @@ inline constexpr int pixelsPerSpan = 128;
 /// up to the next multiple of 16.
 struct PixelSpan {
   int count = 0;
+  glm::ivec2 first{0};       ///< the first pixel's column and row: where its dither is taken from
   glm::vec3 firstRay{0.0f};  ///< from the camera through the first pixel's centre, as long as
                              ///< 1 / the cosine to the view axis
   glm::vec3 rayStep{0.0f};   ///< from one pixel to the next
@@ -54,14 +58,24 @@ struct ShadingSources {
   const LocalImage* depths = nullptr;    ///< read where constants.depthsAreOn
   const float* shadows = nullptr;        ///< ShadowMaps::texels, where constants.shadowCount > 0
   int shadowWidth = 0;                   ///< texels from row to row
+  const CoverTiles* shadowTiles = nullptr;  ///< ShadowMaps::tiles; null: shadows may fall anywhere
   const float* waterline = nullptr;      ///< Waterline::heights, where constants.waterlineIsOn
 };
 
 /// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint8_t* rgb);
 
-/// sRGB colours, 3 bytes each, of linear radiance: what shadeSpan makes of it, to the bit.
-void mapTones(std::span<const glm::vec3> radiance, float exposure, std::uint8_t* rgb);
+/// How radiance becomes colours.
+struct ToneMapping {
+  float exposure = 1.0f;
+  ToneCurve curve = ToneCurve::filmic;
+  bool dithers = false;
+};
+
+/// sRGB colours, 3 bytes each, of the linear radiance of a row's pixels from column and row `first`
+/// on: what shadeSpan makes of it, to the bit.
+void mapTones(std::span<const glm::vec3> radiance, const ToneMapping& tones, glm::ivec2 first,
+              std::uint8_t* rgb);
 
 /// Part of each of a span's pixels that is white with foam, [0, 1], where constants.foamIsOn; 0 but for
 /// water. `parts` is writable up to the next multiple of 16.
@@ -71,6 +85,9 @@ void foamParts(const ShadingSources& sources, const PixelSpan& span, float* part
 /// mean-square slope of all that a pixel cannot show, its roughness. For tests of the statistics;
 /// `seen` as `radiance` below.
 void slopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4* seen);
+
+/// The same as RGB9E5 words, of which none is 0. `words` is writable up to the next multiple of 16.
+void shadeSpan(const ShadingSources& sources, const PixelSpan& span, std::uint32_t* words);
 
 /// Linear radiance of a span's pixels; `radiance` is writable up to the next multiple of 16.
 void shadeSpan(const ShadingSources& sources, const PixelSpan& span, glm::vec4* radiance);

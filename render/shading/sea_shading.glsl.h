@@ -7,7 +7,7 @@
 // instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
 // roughMirror, roughArea, and of LocalLight's pictures nearness (1/axial distance at a pixel, 0
 // where there is nothing) and light (between pixels, times the part that is covered, which is
-// returned too), and rain_rings.glsl.h, optics.glsl.h, waterline.glsl.h, shadows.glsl.h and
+// returned too), mirrorMayShow, which may say no where none of a vector's rays meets anything, and rain_rings.glsl.h, optics.glsl.h, waterline.glsl.h, shadows.glsl.h and
 // night_lights.glsl.h before this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
@@ -67,62 +67,85 @@ SHADER Real3 mirroredOnwards(Real3 toViewer, Real2 facet) {
   return Real3(mirrored.x, mirrored.y, -abs(mirrored.z));
 }
 
+// A place by its parts across, down and ahead of the picture: pixels from its middle times the
+// axial distance, and that.
+SHADER Real3 inPicture(Real3 place) {
+  return Real3(dot(place, Real3(pixelRight)), dot(place, Real3(pixelDown)),
+               dot(place, Real3(forward)));
+}
+
+SHADER Real2 pixelThere(Real3 place) {
+  Real perAxial = 1.0f / max(place.z, 1e-3f);
+  return Real2(place.x * perAxial + pixelMiddle.x, place.y * perAxial + pixelMiddle.y);
+}
+
+// Whether the box of two pixels meets what is mirrored.
+SHADER Real meetsMirror(Real2 from, Real2 to) {
+  Real meets = choose(min(from.y, to.y) < mirrorLeast.y + mirrorSize.y, Real(1.0f), Real(0.0f));
+  meets = choose(max(from.y, to.y) > mirrorLeast.y - 1.0f, meets, Real(0.0f));
+  meets = choose(min(from.x, to.x) < mirrorLeast.x + mirrorSize.x, meets, Real(0.0f));
+  return choose(max(from.x, to.x) > mirrorLeast.x - 1.0f, meets, Real(0.0f));
+}
+
 // What of the scene's objects lies on such a ray, times the part of it that shows any: where the ray
-// first lies behind something that lies behind the water's surface.
-SHADER Real3 mirroredObjects(Real3 relative, Real3 onwards, INOUT(Real) part) {
-  Real open = Real(1.0f);
-  Real2 where = Real2(0.0f, 0.0f);
-  Real here = dot(relative, Real3(forward));
-  Real surface = 1.0f / max(here, 1e-3f);
+// first lies behind something that lies behind the water's surface. `from` and `onwards` as
+// inPicture has them.
+SHADER Real3 mirroredObjects(Real3 from, Real3 onwards, INOUT(Real) part) {
+  Real3 light = Real3(0.0f, 0.0f, 0.0f);
   // Steps through the distances between which there are objects: even ones, or where land is among
   // them ones that grow, for both what is near and what is far.
-  Real perMetre = 1.0f / max(dot(onwards, Real3(forward)), 0.02f);
-  Real first = max((mirrorNearest - here) * perMetre, 0.0f);
-  Real step = max((mirrorFarthest - here) * perMetre - first, 0.0f) * (1.0f / float(mirrorSteps));
-  for (int i = 1; i <= mirrorSteps; ++i) {
-    float slow = 1.0f - mirrorBend * (1.0f - float(i) / float(mirrorSteps));
-    Real3 place = relative + onwards * (first + step * (float(i) * slow * slow));
-    Real axial = max(dot(place, Real3(forward)), 1e-3f);
-    Real2 pixel = pixelOf(place, axial);
-    Real nearness = mirrorNearness(pixel);
-    Real hit = choose(nearness * axial > 1.0f, open, Real(0.0f));
-    hit = choose(nearness < surface, hit, Real(0.0f));
-    open = open - hit;
-    where = Real2(choose(hit > 0.0f, pixel.x, where.x), choose(hit > 0.0f, pixel.y, where.y));
-  }
-  Real3 light = Real3(0.0f, 0.0f, 0.0f);
-  if (anyOf(open < 1.0f)) {
-    Real covered = Real(0.0f);
-    light = mirrorLight(where, covered) * (1.0f - open);
-    part = part + covered * (1.0f - open);
+  Real perMetre = 1.0f / max(onwards.z, 0.02f);
+  Real first = max((mirrorNearest - from.z) * perMetre, 0.0f);
+  Real reach = max((mirrorFarthest - from.z) * perMetre - first, 0.0f);
+  Real2 start = pixelThere(from + onwards * first);
+  Real2 end = pixelThere(from + onwards * (first + reach));
+  if (mirrorMayShow(start, end, meetsMirror(start, end))) {
+    Real open = Real(1.0f);
+    Real2 where = Real2(0.0f, 0.0f);
+    Real surface = 1.0f / max(from.z, 1e-3f);
+    for (int i = 1; i <= mirrorSteps && anyOf(open > 0.0f); ++i) {
+      float share = float(i) / float(mirrorSteps);
+      float slow = 1.0f - mirrorBend * (1.0f - share);
+      Real3 place = from + onwards * (first + reach * (share * slow * slow));
+      Real2 pixel = pixelThere(place);
+      Real nearness = mirrorNearness(pixel);
+      Real hit = choose(nearness * max(place.z, 1e-3f) > 1.0f, open, Real(0.0f));
+      hit = choose(nearness < surface, hit, Real(0.0f));
+      open = open - hit;
+      where = Real2(choose(hit > 0.0f, pixel.x, where.x), choose(hit > 0.0f, pixel.y, where.y));
+    }
+    if (anyOf(open < 1.0f)) {
+      Real covered = Real(0.0f);
+      light = mirrorLight(where, covered) * (1.0f - open);
+      part = part + covered * (1.0f - open);
+    }
   }
   return light;
+}
+
+// Whether the rays of all facets that count end within pixels that what is mirrored is among.
+SHADER Real raysMeetMirror(Real3 from, Real3 toViewer, Real2 slope, Real2 towards,
+                           Real deviation) {
+  Real2 low = pixelThere(from);
+  Real2 high = low;
+  for (int i = -1; i < 2; i += 2) {
+    Real2 facet = slope + towards * (deviation * (2.08f * float(i)));
+    Real3 onwards = inPicture(mirroredOnwards(toViewer, facet));
+    Real reach = max(mirrorFarthest - from.z, 0.0f) / max(onwards.z, 0.02f);
+    Real2 end = pixelThere(from + onwards * reach);
+    low = Real2(min(low.x, end.x), min(low.y, end.y));
+    high = Real2(max(high.x, end.x), max(high.y, end.y));
+  }
+  return meetsMirror(low, high);
 }
 
 // Five facets for all, a deviation of their slope apart: fewer show as so many pictures.
 SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 towards,
                              Real deviation, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
-  // All rays end within these pixels.
-  Real here = dot(relative, Real3(forward));
-  Real2 pixel = pixelOf(relative, max(here, 1e-3f));
-  Real top = pixel.y, bottom = pixel.y, left = pixel.x, rightmost = pixel.x;
-  for (int i = -1; i < 2; i += 2) {
-    Real2 facet = slope + towards * (deviation * (2.08f * float(i)));
-    Real3 onwards = mirroredOnwards(toViewer, facet);
-    Real reach = max(mirrorFarthest - here, 0.0f) / max(dot(onwards, Real3(forward)), 0.02f);
-    Real3 place = relative + onwards * reach;
-    Real2 end = pixelOf(place, max(dot(place, Real3(forward)), 1e-3f));
-    top = min(top, end.y);
-    bottom = max(bottom, end.y);
-    left = min(left, end.x);
-    rightmost = max(rightmost, end.x);
-  }
-  Real meets = choose(top < mirrorLeast.y + mirrorSize.y, Real(1.0f), Real(0.0f));
-  meets = choose(bottom > mirrorLeast.y - 1.0f, meets, Real(0.0f));
-  meets = choose(left < mirrorLeast.x + mirrorSize.x, meets, Real(0.0f));
-  meets = choose(rightmost > mirrorLeast.x - 1.0f, meets, Real(0.0f));
-  meets = choose(here < mirrorFarthest, meets, Real(0.0f));
+  Real3 from = inPicture(relative);
+  Real meets = choose(from.z < mirrorFarthest, Real(1.0f), Real(0.0f));
+  if (anyOf(meets > 0.0f)) meets = meets * raysMeetMirror(from, toViewer, slope, towards, deviation);
   if (anyOf(meets > 0.0f)) {
     for (int i = -2; i < 3; ++i) {
       Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
@@ -130,7 +153,8 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
       if (i == 0) weight = 0.403f;
       if (i * i == 1) weight = 0.244f;
       Real shown = Real(0.0f);
-      light = light + mirroredObjects(relative, mirroredOnwards(toViewer, facet), shown) * weight;
+      Real3 onwards = inPicture(mirroredOnwards(toViewer, facet));
+      light = light + mirroredObjects(from, onwards, shown) * weight;
       part = part + shown * weight;
     }
   }
@@ -159,14 +183,17 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
   }
   Real there = belowNearness(pixel);
   Real depth = (1.0f / max(there, 1e-6f) - axial) * perAxial * max(toViewer.z, 0.05f) * 1.34f;
-  Real part = Real(0.0f);
-  Real3 light = belowLight(pixel, part);
   Real shown = choose(there > 0.0f, Real(1.0f), Real(0.0f));
   shown = choose(depth > 0.0f, shown, Real(0.0f));
-  Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
-  Real path = max(depth, 0.0f) / steep;
-  Real3 clear = leftInWater(path);
-  return water - water * clear * (part * shown) + light * clear * shown;
+  Real3 seen = water;
+  if (anyOf(shown > 0.0f)) {
+    Real part = Real(0.0f);
+    Real3 light = belowLight(pixel, part);
+    Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
+    Real3 clear = leftInWater(max(depth, 0.0f) / steep);
+    seen = water - water * clear * (part * shown) + light * clear * shown;
+  }
+  return seen;
 }
 
 // Where water begins, what lies under it shows unrefracted: blended in by depth times hardness
@@ -414,14 +441,21 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real facing = max(dot(normal, sun), 0.0f) * 0.31830989f;
   if (shadowCount > 0) {
     if (anyOf(facing > 0.0f)) facing = facing * sunlitPart(place, normal);
-}
+  }
+  // Under water the sun's light is what the surface let in; the sky's fills Snell's window, 1/n² of
+  // the hemisphere, less 7 % that the surface mirrors, the water's own the rest.
+  facing = facing * mix(Real(1.0f), Real(sunThroughSurface), wetted);
   Real3 upper = Real3(normal.x, normal.y, normal.z + 1.2f);
   Real3 ambient = blurredSky(upper * inversesqrt(max(dot(upper, upper), 1e-12f)), Real(7.0f));
+  ambient = mix(ambient, ambient * 0.52f + Real3(veil) * 0.44f, wetted);
   Real3 lower = mix(Real3(0.06f * skyLight), Real3(veil), wetted);
   Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
-  // Light that has come down through the water.
-  Real3 colour = reflectance * light * leftInWater(depth);
+  // Light that has come down through the water, the way of the sun's. From below the surface mirrors
+  // 48 % of what goes up back to it, again and again (Lee et al. 1999 have as much).
+  Real3 clear = leftInWater(depth * (1.0f / sunInWater.z));
+  Real3 colour = reflectance * light * clear /
+                 (Real3(1.0f, 1.0f, 1.0f) - reflectance * clear * (0.48f * wetted));
   Real wet = submerged(relative);
   Real3 seen = hazed(colour, relative / distance, distance);
   if (lampCount > 0) seen = seen + lampsSeen(relative / distance, distance);
@@ -431,8 +465,19 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   return seen;
 }
 
-// Narkowicz' fit of the ACES curve, [0, 1].
-SHADER Real3 filmic(Real3 radiance) {
+// ToneCurve of what is exposed, [0, 1].
+SHADER Real3 toneMapped(Real3 radiance) {
   Real3 x = radiance * exposure;
-  return clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+  Real3 shown = x;
+  if (toneCurve == 0) shown = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+  if (toneCurve == 1) shown = x * (0.0625f * x + 1.0f) / (x + 1.0f);
+  return clamp(shown, 0.0f, 1.0f);
+}
+
+// Thresholds of [0, 1) for a pixel, evenly spread among neighbours (Jimenez 2014, "Next generation
+// post processing in Call of Duty", interleaved gradient noise).
+SHADER Real ditherAt(Real column, Real row) {
+  Real first = column * 0.06711056f + row * 0.00583715f;
+  Real second = 52.9829189f * (first - floor(first));
+  return second - floor(second);
 }

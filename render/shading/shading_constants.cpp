@@ -94,6 +94,8 @@ void setTerms(ShadingConstants& c, const View& view) {
   c.specular = static_cast<int>(terms.specular);
   c.extinctionIsLinear = terms.extinction == Extinction::linear;
   c.backFacesAreTilted = terms.backFaces == BackFaces::tilt;
+  c.toneCurve = static_cast<int>(view.light.toneCurve);
+  c.dithers = view.light.dithers;
   // At the visibility 2 % of the contrast are left (Koschmieder).
   const double atSea = -std::log(0.02) / view.light.visibility;
   c.airExtinction = static_cast<float>(atSea * hazeBelow(view.camera.position.z));
@@ -124,6 +126,14 @@ void setRipples(ShadingConstants& c, const View& view) {
   }
 }
 
+/// ShadingConstants::sunThroughSurface for cosines from the vertical above and below: the flux
+/// through a square metre of water is as wide as its cosine below.
+float throughSurface(float above, float below) {
+  const double cosine = std::max(above, 0.0f);
+  const double let = 1.0 - fresnelReflectance(cosine, seaWaterIndex);
+  return static_cast<float>(let * cosine / (below * seaWaterIndex * seaWaterIndex));
+}
+
 void setWater(ShadingConstants& c, const View& view) {
   const glm::vec3 onSea = c.skyLight + c.sunLight * std::max(c.sunDirection.z, 0.0f) / floatPi;
   c.waterExtinction = clearExtinction + static_cast<float>(view.light.turbidity);
@@ -136,6 +146,7 @@ void setWater(ShadingConstants& c, const View& view) {
   c.eyeVeil = c.veil * glm::exp(-c.waterExtinction * std::max(c.stillWater, 0.0f));
   const glm::vec2 level = glm::vec2(c.sunDirection) / static_cast<float>(seaWaterIndex);
   c.sunInWater = {level, std::sqrt(1.0f - glm::dot(level, level))};
+  c.sunThroughSurface = throughSurface(c.sunDirection.z, c.sunInWater.z);
   // An eye that is under water all the same gets used to what is left there, not all the way.
   const float depth = c.cameraIsUnderWater ? std::max(c.stillWater, 0.0f) : 0.0f;
   c.exposure *= 2.5f - 1.5f * std::exp(-0.5f * depth);

@@ -38,6 +38,8 @@ struct ShadingConstants {
   bool hazeIsOn = false;
   float airExtinction = 0.0f;  ///< 1/m
   float exposure = 1.0f;
+  int toneCurve = 0;  ///< ToneCurve
+  bool dithers = false;
   // dusk and night: by night the moon's light stands in sunDirection and sunLight
   bool twilightIsOn = false;
   glm::vec3 horizonSide{0.0f}, horizonArch{0.0f};  ///< of the twilight, by azimuth from the sun
@@ -77,7 +79,10 @@ struct ShadingConstants {
   glm::vec2 depthsLeast{0.0f}, depthsSize{0.0f};
   float stillWater = -1e30f;               ///< height of still water from the eye, m
   glm::vec3 sunInWater{0.0f, 0.0f, 1.0f};  ///< sunDirection refracted at still water
-  glm::vec3 eyeVeil{0.0f};                 ///< veil as deep as the eye is
+  /// Irradiance just below still water, facing the refracted sun, over that above it facing the
+  /// sun, over the square of water's index: radiance grows by as much on its way in.
+  float sunThroughSurface = 0.5f;
+  glm::vec3 eyeVeil{0.0f};  ///< veil as deep as the eye is
   // which pixels are under water (Waterline)
   bool waterlineIsOn = false;  ///< else all as cameraIsUnderWater says
   glm::vec2 waterlinePerPixel{0.0f};

@@ -1,5 +1,6 @@
 // Part of the sunlight that reaches a place, by the maps of ShadowMaps: the same rules as
-// sea_shading.glsl.h, which comes after this text. Surroundings provide shadowHeight.
+// sea_shading.glsl.h, which comes after this text. Surroundings provide shadowHeight, and
+// shadowMayFall, which may say no where all of a vector's pixels are in full sunlight.
 
 // Where a place under water would be if the sun's ray to it went straight on below the surface.
 SHADER Real3 straightened(Real3 place) {
@@ -46,9 +47,9 @@ SHADER Real sunlitPart(Real3 place, Real3 normal) {
     covered = choose(at.x < shadowSize[i].x - 2.0f, covered, Real(0.0f));
     covered = choose(at.y < shadowSize[i].y - 2.0f, covered, Real(0.0f));
     open = open - covered;
-    if (anyOf(covered > 0.0f)) {
-      Real2 held = Real2(clamp(at.x, 1.0f, shadowSize[i].x - 2.0f),
-                         clamp(at.y, 1.0f, shadowSize[i].y - 2.0f));
+    Real2 held = Real2(clamp(at.x, 1.0f, shadowSize[i].x - 2.0f),
+                       clamp(at.y, 1.0f, shadowSize[i].y - 2.0f));
+    if (shadowMayFall(i, held, covered)) {
       // No lower than where nothing is: what casts a shadow is higher.
       Real height = max(dot(from, Real3(sunDirection)) - shadowBase + rounding, 0.0f);
       lit = choose(covered > 0.0f, litInMap(i, held, height), lit);

@@ -101,31 +101,6 @@ void ObjectTriangles::raster(Strip& strip) const {
   for (const ScreenTriangle& triangle : triangles_) rasterTriangle(triangle, strip);
 }
 
-std::pair<float, float> ObjectTriangles::axialRange() const {
-  double least = 1e30, most = 0.0;
-  for (const ScreenTriangle& t : triangles_) {
-    for (const double inverse : t.inverse) {
-      least = std::min(least, 1.0 / inverse);
-      most = std::max(most, 1.0 / inverse);
-    }
-  }
-  return {static_cast<float>(least), static_cast<float>(most)};
-}
-
-PixelBox ObjectTriangles::boxIn(glm::ivec2 picture) const {
-  glm::dvec2 least(picture), most(-1.0);
-  for (const ScreenTriangle& t : triangles_) {
-    for (int k = 0; k < 3; ++k) {
-      least = glm::min(least, glm::dvec2(t.x[k], t.y[k]));
-      most = glm::max(most, glm::dvec2(t.x[k], t.y[k]));
-    }
-  }
-  const glm::dvec2 size(picture);
-  const glm::ivec2 from(glm::clamp(glm::floor(least), glm::dvec2(0.0), size));
-  return {from,
-          glm::max(from, glm::ivec2(glm::clamp(glm::ceil(most) + 1.0, glm::dvec2(0.0), size)))};
-}
-
 PixelBox ObjectTriangles::boxIn(const Strip& strip) const {
   // Half a pixel beyond their centres.
   const double top = strip.top - 1.0, bottom = strip.top + strip.rows;

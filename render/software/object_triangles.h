@@ -43,10 +43,10 @@ class ObjectTriangles {
   std::span<const ScreenTriangle> triangles() const { return triangles_; }
 
   /// Least and largest axial distance, m.
-  std::pair<float, float> axialRange() const;
+  std::pair<float, float> axialRange() const { return axialRangeOf(triangles_); }
 
   /// Pixels of a picture that the triangles may touch.
-  PixelBox boxIn(glm::ivec2 picture) const;
+  PixelBox boxIn(glm::ivec2 picture) const { return boxOf(triangles_, picture); }
   /// Pixels of the strip that they may touch.
   PixelBox boxIn(const Strip& strip) const;
 
@@ -68,6 +68,7 @@ class ObjectTriangles {
     float level = 0.0f, scale = 1.0f;  // of PixelSpan's place
   };
   struct Window;
+  struct Bent;
   struct Half {
     WaterSide side;
     float level;  // relative to the camera, m
@@ -75,7 +76,7 @@ class ObjectTriangles {
   void add(const SceneObject& object, const Camera& camera, const Half* half);
   void add(const glm::vec3 (&corners)[3], const Face& face, const ScreenProjection& projection,
            bool mirrored);
-  void addBent(const glm::vec3 (&corners)[3], const Face& face, const Window& window, int splits);
+  void addBent(const Bent (&corners)[3], const Face& face, const Window& window, int splits);
 
   std::vector<ScreenTriangle> triangles_;
   std::vector<Face> faces_;  // of object number − 1

@@ -4,6 +4,7 @@
 #include "render/software/sea_march.h"
 #include "render/software/sea_spans.h"
 #include "render/software/strip_technique.h"
+#include "render/surf.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -30,7 +31,8 @@ class PostProcess final : public StripTechnique {
       layout =
           radialLayout(view.water->waves(), {}, projector.reach(),
                        {.size = {options_.grid.x + 1, options_.grid.y}, .innermost = innermost});
-      grid_.fill(view.water->at(view.time), view.camera, layout, bound);
+      const std::optional<Surf> surf = surfOf(view);
+      grid_.fill(view.water->at(view.time), view.camera, layout, bound, surf ? &*surf : nullptr);
       bound = std::max(bound, 1.05 * grid_.largestHeight());
       return SeaPlacement{grid_.largestHeight(), grid_.vertexCount(),
                           grid_.verticesInFrustum(view.camera)};

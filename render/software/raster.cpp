@@ -98,9 +98,13 @@ void rasterSea(const ScreenGrid& screen, Strip& strip) {
 }
 
 void rasterTriangle(const ScreenTriangle& t, Strip& strip) {
-  const auto [lowX, highX] = std::minmax({t.x[0], t.x[1], t.x[2]});
-  const auto [lowY, highY] = std::minmax({t.y[0], t.y[1], t.y[2]});
   const double slack = slackOf(t);
+  // Most triangles lie above or below most strips.
+  const double lowY = std::min(std::min(t.y[0], t.y[1]), t.y[2]);
+  const double highY = std::max(std::max(t.y[0], t.y[1]), t.y[2]);
+  if (highY + slack < strip.top || lowY - slack > strip.top + strip.rows - 1) return;
+  const double lowX = std::min(std::min(t.x[0], t.x[1]), t.x[2]);
+  const double highX = std::max(std::max(t.x[0], t.x[1]), t.x[2]);
   const double right = std::min<double>(strip.width - 1, std::floor(highX + slack));
   const double left = std::max(0.0, std::ceil(lowX - slack));
   const double top = std::max<double>(strip.top, std::ceil(lowY - slack));

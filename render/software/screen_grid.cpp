@@ -33,18 +33,19 @@ void ScreenGrid::fill(const SeaGrid& grid, const Camera& camera) {
       toY[i] = (x[i] * d.x + y[i] * d.y + z[i] * d.z) * inverse + projection.middle.y;
     }
   });
-  clipped_.clear();
-  for (int row = 0; row + 1 < size_.y; ++row) {
+  isClipped_.assign(extents_.size(), 0);
+  tbb::parallel_for(0, size_.y - 1, [&](int row) {
     for (int batch = 0; batch < batchesPerRow_; ++batch) {
-      Extent& extent = extents_[static_cast<std::size_t>(row) * batchesPerRow_ + batch];
-      if (!grid.mayShow(row, batch)) {
-        extent = {1.0f, 0.0f};
-        continue;
-      }
-      if (extentOf(row, batch, camera.size, extent) == Fate::clipped) {
-        clip(grid, projection, row, batch);
-      }
+      const std::size_t at = static_cast<std::size_t>(row) * batchesPerRow_ + batch;
+      extents_[at] = {1.0f, 0.0f};
+      if (!grid.mayShow(row, batch)) continue;
+      isClipped_[at] = extentOf(row, batch, camera.size, extents_[at]) == Fate::clipped;
     }
+  });
+  clipped_.clear();
+  for (std::size_t at = 0; at < isClipped_.size(); ++at) {
+    const int batch = static_cast<int>(at) % batchesPerRow_;
+    if (isClipped_[at]) clip(grid, projection, static_cast<int>(at) / batchesPerRow_, batch);
   }
 }
 
@@ -96,7 +97,8 @@ void ScreenGrid::clip(const SeaGrid& grid, const ScreenProjection& projection, i
 
 std::size_t ScreenGrid::memoryBytes() const {
   return (x_.capacity() + y_.capacity() + inverse_.capacity()) * sizeof(float) +
-         extents_.capacity() * sizeof(Extent) + clipped_.capacity() * sizeof(ScreenTriangle);
+         extents_.capacity() * sizeof(Extent) + isClipped_.capacity() +
+         clipped_.capacity() * sizeof(ScreenTriangle);
 }
 
 }  // namespace seaway::render

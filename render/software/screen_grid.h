@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "render/camera.h"
@@ -48,6 +49,7 @@ class ScreenGrid {
   int batchesPerRow_ = 0;
   std::vector<float> x_, y_, inverse_;
   std::vector<Extent> extents_;
+  std::vector<std::uint8_t> isClipped_;  // of each batch
   std::vector<ScreenTriangle> clipped_;
 };
 

@@ -52,4 +52,29 @@ int projectTriangle(const glm::vec3 (&corners)[3], const ScreenProjection& proje
   return std::max(count - 2, 0);
 }
 
+PixelBox boxOf(std::span<const ScreenTriangle> triangles, glm::ivec2 picture) {
+  glm::dvec2 least(picture), most(-1.0);
+  for (const ScreenTriangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      least = glm::min(least, glm::dvec2(t.x[k], t.y[k]));
+      most = glm::max(most, glm::dvec2(t.x[k], t.y[k]));
+    }
+  }
+  const glm::dvec2 size(picture);
+  const glm::ivec2 from(glm::clamp(glm::floor(least), glm::dvec2(0.0), size));
+  return {from,
+          glm::max(from, glm::ivec2(glm::clamp(glm::ceil(most) + 1.0, glm::dvec2(0.0), size)))};
+}
+
+std::pair<float, float> axialRangeOf(std::span<const ScreenTriangle> triangles) {
+  double least = 1e30, most = 0.0;
+  for (const ScreenTriangle& t : triangles) {
+    for (const double inverse : t.inverse) {
+      least = std::min(least, 1.0 / inverse);
+      most = std::max(most, 1.0 / inverse);
+    }
+  }
+  return {static_cast<float>(least), static_cast<float>(most)};
+}
+
 }  // namespace seaway::render

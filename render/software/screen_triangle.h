@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
+#include <utility>
 
 #include "render/camera.h"
+#include "render/pixel_box.h"
 
 namespace seaway::render {
 
@@ -27,5 +30,11 @@ struct ScreenTriangle {
 /// one or two triangles, put into `out`. Returns how many.
 int projectTriangle(const glm::vec3 (&corners)[3], const ScreenProjection& projection,
                     ScreenTriangle (&out)[2]);
+
+/// Pixels of a picture that triangles may cover.
+PixelBox boxOf(std::span<const ScreenTriangle> triangles, glm::ivec2 picture);
+
+/// Least and largest axial distance of their corners, m; (1e30, 0) of none.
+std::pair<float, float> axialRangeOf(std::span<const ScreenTriangle> triangles);
 
 }  // namespace seaway::render

@@ -41,11 +41,40 @@ namespace {
 
 constexpr float perStep = SeaSlopes::steepest / 32767.0f;
 
+/// Rows before some places. Neighbours mostly share one or two: then numbers that belong to rows
+/// are picked from three, where gathering them takes several times as long.
+struct NearRows {
+  VI near;
+  int first;    // least of them
+  bool areTwo;  // none is beyond first + 1
+  hn::Mask<Words> isSecond;
+};
+
+HWY_INLINE NearRows nearRows(Real near) {
+  const Floats f;
+  const Real first = hn::MinOfLanes(f, near.v);
+  const Mask beyond = near > first;
+  return {toInt(near), static_cast<int>(hn::GetLane(first.v)), !anyOf(near > first + 1.0f),
+          hn::RebindMask(Words(), beyond.m)};
+}
+
+/// Of numbers by row, those of the rows before and behind.
+HWY_INLINE Real2 byRow(const float* from, int rows, const NearRows& at) {
+  if (!at.areTwo) {
+    return {gather(from, at.near), gather(from, hn::Add(at.near, setInt(1)))};
+  }
+  const Floats f;
+  const auto isSecond = hn::RebindMask(f, at.isSecond);
+  const VF middle = hn::Set(f, from[at.first + 1]);
+  return {hn::IfThenElse(isSecond, middle, hn::Set(f, from[at.first])),
+          hn::IfThenElse(isSecond, hn::Set(f, from[std::min(at.first + 2, rows - 1)]), middle)};
+}
+
 /// The quadrilateral of a place in the grid, where it lies in it, and how many columns and rows a
 /// metre across and ahead crosses.
 struct GridPlace {
-  VI near;  // row before it
-  VI left;  // column before it
+  NearRows rows;
+  Real left;  // column before it
   Real u, v, columnsPerMetre, rowsPerMetre;
 };
 
@@ -55,8 +84,8 @@ HWY_INLINE GridPlace ringedPlace(const SpanInput& in, Real2 relative) {
                                      relative.y - static_cast<float>(in.grid.foot.y)});
   const Real near = min(floor(place.row), in.size.y - 2.0f);
   const Real left = min(floor(place.column), in.size.x - 2.0f);
-  return {toInt(near),           toInt(left),          place.column - left,
-          place.row - near,      place.columnsPerMetre, place.rowsPerMetre};
+  return {nearRows(near),    left, place.column - left, place.row - near, place.columnsPerMetre,
+          place.rowsPerMetre};
 }
 
 HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
@@ -84,19 +113,76 @@ HWY_INLINE GridPlace gridPlace(const SpanInput& in, Real2 relative) {
   const Real row = clamp(share * rows, 0.0f, rows);
   const Real near = min(floor(row), rows - 1.0f);
   const Real between = row - near;
-  const VI nearIndex = toInt(near), farIndex = hn::Add(nearIndex, setInt(1));
-  const Real start = mix(gather(in.rowStart, nearIndex), gather(in.rowStart, farIndex), between);
-  const Real step = mix(gather(in.rowStep, nearIndex), gather(in.rowStep, farIndex), between);
+  const NearRows rowsNear = nearRows(near);
+  const Real2 starts = byRow(in.rowStart, in.size.y, rowsNear);
+  const Real2 steps = byRow(in.rowStep, in.size.y, rowsNear);
+  const Real start = mix(starts.x, starts.y, between), step = mix(steps.x, steps.y, between);
   const Real perColumn = Real(1.0f) / step;
   const Real column = clamp((across - start) * perColumn, 0.0f, columns);
   const Real left = min(floor(column), columns - 1.0f);
-  return {nearIndex, toInt(left), column - left, between, perColumn, slope * rows};
+  return {rowsNear, left, column - left, between, perColumn, slope * rows};
 }
 
 HWY_INLINE Real2 slopeOf(VU word) {
   const VI x = hn::ShiftRight<16>(hn::ShiftLeft<16>(hn::BitCast(Ints(), word)));
   const VI y = hn::ShiftRight<16>(hn::BitCast(Ints(), word));
   return Real2(toReal(x), toReal(y)) * Real(perStep);
+}
+
+/// Which vertices are at the corners of places' quadrilaterals. Where those lie in two rows and
+/// within a vector's width of columns, three rows are loaded and shuffled instead of gathered.
+struct Quads {
+  NearRows rows;
+  VI at;  // first corner, where they are gathered
+  bool areNarrow;
+  std::size_t first, second, third;  // of the loads' vertices
+  VI column;                         // in the loads
+};
+
+HWY_INLINE Quads quadsOf(const SpanInput& in, const GridPlace& place) {
+  const Floats f;
+  const int lanes = static_cast<int>(laneCount());
+  Quads q{};
+  q.rows = place.rows;
+  q.areNarrow = place.rows.areTwo && in.size.x >= lanes;
+  if (q.areNarrow) {
+    const Real least = hn::MinOfLanes(f, place.left.v);
+    const int base = std::min(static_cast<int>(hn::GetLane(least.v)), in.size.x - lanes);
+    const Real column = place.left - static_cast<float>(base);
+    q.areNarrow = !anyOf(column > static_cast<float>(lanes - 2));
+    q.column = toInt(column);
+    const std::size_t across = in.size.x;
+    q.first = across * place.rows.first + base;
+    q.second = q.first + across;
+    q.third = place.rows.first + 2 < in.size.y ? q.second + across : q.second;
+  }
+  if (!q.areNarrow) {
+    q.at = hn::Add(hn::Mul(place.rows.near, setInt(in.size.x)), toInt(place.left));
+  }
+  return q;
+}
+
+struct CornerWords {
+  VU a, b, c, d;
+};
+
+HWY_INLINE CornerWords cornersOf(const std::uint32_t* from, int across, const Quads& q) {
+  const Words w;
+  const VI one = setInt(1);
+  if (!q.areNarrow) {
+    const VI beyond = hn::Add(q.at, setInt(across));
+    return {gather(from, q.at), gather(from, hn::Add(q.at, one)), gather(from, beyond),
+            gather(from, hn::Add(beyond, one))};
+  }
+  const VU rows[3] = {hn::LoadU(w, from + q.first), hn::LoadU(w, from + q.second),
+                      hn::LoadU(w, from + q.third)};
+  const auto left = hn::IndicesFromVec(w, q.column);
+  const auto right = hn::IndicesFromVec(w, hn::Add(q.column, one));
+  const auto pick = [&](int row, decltype(left)& at) HWY_ATTR {
+    return hn::IfThenElse(q.rows.isSecond, hn::TableLookupLanes(rows[row + 1], at),
+                          hn::TableLookupLanes(rows[row], at));
+  };
+  return {pick(0, left), pick(0, right), pick(1, left), pick(1, right)};
 }
 
 struct Slope {
@@ -114,32 +200,32 @@ HWY_INLINE Real3 coverOf(VU word) {
 HWY_INLINE Slope slopeAt(const SpanInput& in, const GridPlace& place, Real footprint,
                          Real footprintAhead) {
   const Real u = place.u, v = place.v;
-  const VI at = hn::Add(hn::Mul(place.near, setInt(in.size.x)), place.left);
-  const VI beyond = hn::Add(at, setInt(in.size.x)), one = setInt(1);
-  const Real2 a = slopeOf(gather(in.packed, at)), b = slopeOf(gather(in.packed, hn::Add(at, one)));
-  const Real2 c = slopeOf(gather(in.packed, beyond));
-  const Real2 d = slopeOf(gather(in.packed, hn::Add(beyond, one)));
+  const Quads quads = quadsOf(in, place);
+  const CornerWords packed = cornersOf(in.packed, in.size.x, quads);
+  const Real2 a = slopeOf(packed.a), b = slopeOf(packed.b);
+  const Real2 c = slopeOf(packed.c), d = slopeOf(packed.d);
   const Real2 low = a + (b - a) * u, high = c + (d - c) * u;
   // Slope that changes within a pixel is roughness to that pixel; as sharp normals it would
   // sparkle. Farther apart than a few cells, differences of neighbours tell no more.
   const Real2 ahead = (high - low) * min(footprintAhead * place.rowsPerMetre, 3.0f);
   const Real2 across =
       ((b - a) + ((d - c) - (b - a)) * v) * min(footprint * place.columnsPerMetre, 3.0f);
-  const Real missingNear = gather(in.missing, place.near);
-  const Real missingFar = gather(in.missing, hn::Add(place.near, one));
-  Real missing = mix(missingNear, missingFar, v);
+  const Real2 missingBeside = byRow(in.missing, in.size.y, place.rows);
+  Real missing = mix(missingBeside.x, missingBeside.y, v);
   if (in.missingWakes) {
-    const Real nearer =
-        mix(gather(in.missingWakes, at), gather(in.missingWakes, hn::Add(at, one)), u);
-    const Real farther =
-        mix(gather(in.missingWakes, beyond), gather(in.missingWakes, hn::Add(beyond, one)), u);
-    missing = missing + mix(nearer, farther, v);
+    const CornerWords words =
+        cornersOf(reinterpret_cast<const std::uint32_t*>(in.missingWakes), in.size.x, quads);
+    const auto of = [&](VU word) HWY_ATTR { return Real(hn::BitCast(Floats(), word)); };
+    missing = missing + mix(mix(of(words.a), of(words.b), u), mix(of(words.c), of(words.d), u), v);
   }
   Real3 cover(0.0f, 0.0f, 0.0f);
   if (in.cover) {
-    const auto of = [&](VI index) HWY_ATTR { return coverOf(gather(in.cover, index)); };
-    cover = mix(mix(of(at), of(hn::Add(at, one)), u),
-                mix(of(beyond), of(hn::Add(beyond, one)), u), v);
+    const CornerWords words = cornersOf(in.cover, in.size.x, quads);
+    const VU any = hn::Or(hn::Or(words.a, words.b), hn::Or(words.c, words.d));
+    if (!hn::AllTrue(Words(), hn::Eq(any, hn::Zero(Words())))) {
+      cover = mix(mix(coverOf(words.a), coverOf(words.b), u),
+                  mix(coverOf(words.c), coverOf(words.d), u), v);
+    }
   }
   return {low + (high - low) * v,
           min((dot(ahead, ahead) + dot(across, across)) * Real(1.0f / 12.0f), 0.05f), missing,

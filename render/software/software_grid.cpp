@@ -4,6 +4,7 @@
 #include "render/sea_grid.h"
 #include "render/software/sea_spans.h"
 #include "render/software/strip_technique.h"
+#include "render/surf.h"
 #include "surface/input_error.h"
 
 namespace seaway::render {
@@ -13,7 +14,8 @@ namespace {
 class SoftwareGridTechnique : public StripTechnique {
  protected:
   void placeGrid(const View& view, const GridLayout& layout, double bound = 0.0) {
-    grid_.fill(view.water->at(view.time), view.camera, layout, bound);
+    const std::optional<Surf> surf = surfOf(view);
+    grid_.fill(view.water->at(view.time), view.camera, layout, bound, surf ? &*surf : nullptr);
   }
   SeaPlacement placement(const Camera& camera) const {
     return {grid_.largestHeight(), grid_.vertexCount(), grid_.verticesInFrustum(camera)};

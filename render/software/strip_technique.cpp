@@ -50,15 +50,18 @@ void StripTechnique::raster(const View& view, const Shown& shown) {
   groundStrips_.resize(ground_.empty() ? 0 : count);
   tbb::parallel_for(0, count, [&](int i) {
     const int top = i * rowsPerStrip;
-    strips_[i].clear(top, std::min(rowsPerStrip, size.y - top), size.x, shown.objects);
+    const int rows = std::min(rowsPerStrip, size.y - top);
+    const bool hasObjects =
+        shown.objects && top < objectBox_.end.y && top + rows > objectBox_.least.y;
+    strips_[i].clear(top, rows, size.x, hasObjects);
     if (shown.water) rasterSea(view, strips_[i]);
     if (!hollows_.empty()) cutHollows(hollows_, view.camera, strips_[i]);
     if (!groundStrips_.empty()) {
       groundStrips_[i].clear(top, strips_[i].rows, size.x, false);
       ground_.raster(groundStrips_[i]);
     }
-    if (!shown.objects) return;
-    edges_[i].fill(objects_, strips_[i]);
+    if (shown.objects) edges_[i].fill(objects_, strips_[i]);
+    if (!hasObjects) return;
     objects_.raster(strips_[i]);
   });
 }
@@ -71,6 +74,7 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
   const glm::vec2 perPixel = 2.0f / glm::vec2(r.view.camera.size);
   const float upwards = 1.0f - (static_cast<float>(r.row) + 0.5f) * perPixel.y;
   const float across = (static_cast<float>(first) + 0.5f) * perPixel.x - 1.0f;
+  span.first = {first, r.row};
   span.rayStep = r.constants.right * perPixel.x;
   span.firstRay = r.constants.middleRay + across * r.constants.right + upwards * r.constants.up;
   if (r.shown.water) {
@@ -80,7 +84,10 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
     std::fill_n(span.kind, pixelsPerSpan, ShadedAs::sky);
     std::fill_n(span.axial, pixelsPerSpan, 1.0f);
   }
-  if (r.shown.objects) objects_.fillSpan(which, objects, span);
+  span.hasObjects = span.hasPlaces = false;
+  const bool besideObjects = r.row < objectBox_.least.y || r.row >= objectBox_.end.y ||
+                             first >= objectBox_.end.x || first + span.count <= objectBox_.least.x;
+  if (which && !besideObjects) objects_.fillSpan(which, objects, span);
   if (shore_) shore_->fillSpan(span);
   if (groundStrips_.empty()) return;
   const Strip& ground = groundStrips_[r.row / rowsPerStrip];
@@ -95,21 +102,22 @@ void StripTechnique::storeLabels(const ShadedRow& r, const PixelSpan& span,
   foamParts(ShadingSources{r.constants}, span, white);
   for (int i = 0; i < span.count; ++i) {
     frame.foam[at + i] = static_cast<std::uint8_t>(255.0f * white[i] + 0.5f);
-    const bool isObject = r.shown.objects && span.kind[i] == ShadedAs::object;
+    const bool isObject = which && span.kind[i] == ShadedAs::object;
     frame.instances[at + i] = isObject ? objects_.instanceOf(which[i]) : std::uint16_t{0};
   }
 }
 
 ShadingSources StripTechnique::sourcesFor(const ShadingConstants& constants) const {
-  return {constants,
-          constants.skyIsOn ? sky_->texels().data() : nullptr,
-          &local_.mirrored(),
-          &local_.below(),
-          &local_.window(),
-          &local_.depths(),
-          shadows_.texels().data(),
-          shadows_.size().x,
-          waterline_.heights().data()};
+  return {.constants = constants,
+          .sky = constants.skyIsOn ? sky_->texels().data() : nullptr,
+          .mirrored = &local_.mirrored(),
+          .below = &local_.below(),
+          .window = &local_.window(),
+          .depths = &local_.depths(),
+          .shadows = shadows_.texels().data(),
+          .shadowWidth = shadows_.size().x,
+          .shadowTiles = shadows_.tiles(),
+          .waterline = waterline_.heights().data()};
 }
 
 /// Colours of a span's pixels, and their radiance unless that is null.
@@ -123,7 +131,9 @@ void StripTechnique::colour(const ShadedRow& r, const PixelSpan& span, std::uint
   glm::vec4 shaded[pixelsPerSpan + 16];
   shadeSpan(sources, span, shaded);
   for (int i = 0; i < span.count; ++i) radiance[i] = glm::vec3(shaded[i]);
-  mapTones({radiance, static_cast<std::size_t>(span.count)}, r.constants.exposure, rgb);
+  const Light& light = r.view.light;
+  mapTones({radiance, static_cast<std::size_t>(span.count)},
+           {r.constants.exposure, light.toneCurve, light.dithers}, span.first, rgb);
 }
 
 void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
@@ -134,14 +144,15 @@ void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
   for (int first = 0; first < width; first += pixelsPerSpan) {
     span.count = std::min(pixelsPerSpan, width - first);
     const float* inverse = strip.inverse.data() + stripRow + first;
-    fillSpan(r, first, inverse, strip.object.data() + stripRow + first, inverse, span);
+    const std::uint32_t* which =
+        strip.object.empty() ? nullptr : strip.object.data() + stripRow + first;
+    fillSpan(r, first, inverse, which, inverse, span);
     const std::size_t at = static_cast<std::size_t>(r.row) * width + first;
     colour(r, span, frame.colour.rgb.data() + 3 * at,
            frame.radiance.empty() ? nullptr : &frame.radiance[at]);
     store(span, at, frame);
     if (!frame.foam.empty()) {
-      storeLabels(r, span, r.shown.objects ? strip.object.data() + stripRow + first : nullptr, at,
-                  frame);
+      storeLabels(r, span, which, at, frame);
     }
   }
   if (r.shown.objects) softenObjects(r, frame);
@@ -151,7 +162,7 @@ void StripTechnique::shadeRow(const ShadedRow& r, Frame& frame) {
 void StripTechnique::softenObjects(const ShadedRow& r, Frame& frame) {
   const Strip& strip = strips_[r.row / rowsPerStrip];
   const ObjectEdges& edges = edges_[r.row / rowsPerStrip];
-  if (edges.left() == edges.right()) return;
+  if (edges.left() == edges.right() || strip.object.empty()) return;
   const int line = r.row - strip.top;
   const ObjectEdges::Row row = edges.row(line);
   const std::uint32_t* centre = strip.object.data() + static_cast<std::size_t>(line) * strip.stride;
@@ -236,6 +247,7 @@ void StripTechnique::drawInto(const View& given, Frame& frame) {
   shown.objects = meshes.has_value();
   if (shown.objects) {
     objects_.fill(view.objects, view.camera);
+    objectBox_ = objects_.boxIn(view.camera.size);
     timer.finish("objects", meshes);
   }
   prepareTerrain(view, shown);

@@ -62,6 +62,7 @@ class StripTechnique : public RenderTechnique {
   void prepareTerrain(const View& view, Shown& shown);
 
   ObjectTriangles objects_;
+  PixelBox objectBox_;  // of what of them is in the picture
   std::vector<Strip> strips_;
   std::vector<ObjectEdges> edges_;        // of each strip
   std::vector<std::uint8_t> isSoftened_;  // of each pixel, where objects are shown

@@ -16,23 +16,35 @@ constexpr double farthest = 5000.0;  // m: farther things lie within a pixel of 
 
 /// How far from the eye's foot, in m, the ray to a point leaves the water: the point is `far` m
 /// away and `high` m above the surface, the eye `depth` m below it. Newton's method on Snell's law,
-/// n sin θ below = sin θ above, kept between bounds; to 1e-9 of `far`.
+/// n sin θ below = sin θ above, kept between bounds; to 1e-9 of `far`, which the last step says:
+/// the bounds close in from one side only.
 double crossingAt(double depth, double far, double high) {
   double low = 0.0, most = far;
   double x = far * depth / (depth + high);
   for (int i = 0; i < 60 && most - low > 1e-9 * far; ++i) {
-    const double below = std::hypot(x, depth), above = std::hypot(far - x, high);
+    const double below = std::sqrt(x * x + depth * depth);
+    const double above = std::sqrt((far - x) * (far - x) + high * high);
     const double off = seaWaterIndex * x / below - (far - x) / above;
     (off > 0.0 ? most : low) = x;
     const double rate = seaWaterIndex * depth * depth / (below * below * below) +
                         high * high / (above * above * above);
-    x -= off / rate;
-    if (!(x > low && x < most)) x = 0.5 * (low + most);
+    const double step = off / rate;
+    x -= step;
+    if (!(x > low && x < most)) {
+      x = 0.5 * (low + most);
+    } else if (std::abs(step) <= 1e-9 * far) {
+      break;
+    }
   }
   return x;
 }
 
 }  // namespace
+
+/// A place and where it is seen, both in m from the eye.
+struct ObjectTriangles::Bent {
+  glm::vec3 place, seen;
+};
 
 struct ObjectTriangles::Window {
   ScreenProjection projection;
@@ -48,10 +60,10 @@ struct ObjectTriangles::Window {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(level * (x / far), depth));
     return glm::vec3(direction * length);
   }
+  Bent bent(const glm::vec3& place) const { return {place, seen(place)}; }
   /// By how much an edge bends in its middle, rad.
-  double bend(const glm::vec3& a, const glm::vec3& b) const {
-    const glm::vec3 middle = glm::normalize(seen(0.5f * (a + b)));
-    const glm::vec3 start = seen(a), end = seen(b);
+  static double bend(const glm::vec3& start, const glm::vec3& seenMiddle, const glm::vec3& end) {
+    const glm::vec3 middle = glm::normalize(seenMiddle);
     const glm::vec3 along = glm::cross(glm::normalize(start), glm::normalize(end));
     const float width = glm::length(along);
     // Off the plane of the ends' rays, and along it where light is to lie where it belongs.
@@ -63,23 +75,24 @@ struct ObjectTriangles::Window {
 
 /// Splits the edge that bends most until none bends by more than the tolerance: neighbours that
 /// share an edge split it alike.
-void ObjectTriangles::addBent(const glm::vec3 (&corners)[3], const Face& face, const Window& window,
+void ObjectTriangles::addBent(const Bent (&corners)[3], const Face& face, const Window& window,
                               int splits) {
   double most = 0.0;
   int which = 0;
+  Bent middle{};
   for (int k = 0; k < 3 && splits > 0; ++k) {
-    const double bend = window.bend(corners[k], corners[(k + 1) % 3]);
-    if (bend > most) most = bend, which = k;
+    const Bent &from = corners[k], &to = corners[(k + 1) % 3];
+    const Bent between = window.bent(0.5f * (from.place + to.place));
+    const double bend = Window::bend(from.seen, between.seen, to.seen);
+    if (bend > most) most = bend, which = k, middle = between;
   }
   if (most > window.tolerance) {
-    const glm::vec3 a = corners[which], b = corners[(which + 1) % 3], c = corners[(which + 2) % 3];
-    const glm::vec3 middle = 0.5f * (a + b);
+    const Bent &a = corners[which], &b = corners[(which + 1) % 3], &c = corners[(which + 2) % 3];
     addBent({a, middle, c}, face, window, splits - 1);
     addBent({middle, b, c}, face, window, splits - 1);
     return;
   }
-  add({window.seen(corners[0]), window.seen(corners[1]), window.seen(corners[2])}, face,
-      window.projection, false);
+  add({corners[0].seen, corners[1].seen, corners[2].seen}, face, window.projection, false);
 }
 
 void ObjectTriangles::fillWindow(std::span<const SceneObject> objects, const Camera& camera,
@@ -102,7 +115,8 @@ void ObjectTriangles::fillWindow(std::span<const SceneObject> objects, const Cam
         const int count = cutAtLevel(corners, level, 1.0f, kept);
         const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
         for (int c = 2; c < count; ++c) {
-          addBent({kept[0], kept[c - 1], kept[c]}, face, window, mostSplits);
+          addBent({window.bent(kept[0]), window.bent(kept[c - 1]), window.bent(kept[c])}, face,
+                  window, mostSplits);
         }
       }
     }

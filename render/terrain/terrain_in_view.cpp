@@ -20,7 +20,7 @@ constexpr float blurByWater = 3.0f;
 
 }  // namespace
 
-bool TerrainInView::mapMayShow(const TerrainMap& map, const Camera& camera) const {
+bool mapMayShow(const TerrainMap& map, const Camera& camera) {
   const glm::dvec2 middle = 0.5 * (map.least() + map.most());
   const double radius = 0.5 * glm::length(map.most() - map.least());
   const glm::dvec2 off = middle - glm::dvec2(camera.position);
@@ -111,31 +111,6 @@ void TerrainInView::Triangles::raster(Strip& strip) const {
     if (low < strip.top - 1.0 || high > strip.top + strip.rows) continue;
     rasterTriangle(triangle, strip);
   }
-}
-
-PixelBox TerrainInView::Triangles::boxIn(glm::ivec2 picture) const {
-  glm::dvec2 least(picture), most(-1.0);
-  for (const ScreenTriangle& t : triangles_) {
-    for (int k = 0; k < 3; ++k) {
-      least = glm::min(least, glm::dvec2(t.x[k], t.y[k]));
-      most = glm::max(most, glm::dvec2(t.x[k], t.y[k]));
-    }
-  }
-  const glm::dvec2 size(picture);
-  const glm::ivec2 from(glm::clamp(glm::floor(least), glm::dvec2(0.0), size));
-  return {from,
-          glm::max(from, glm::ivec2(glm::clamp(glm::ceil(most) + 1.0, glm::dvec2(0.0), size)))};
-}
-
-std::pair<float, float> TerrainInView::Triangles::axialRange() const {
-  double least = 1e30, most = 0.0;
-  for (const ScreenTriangle& t : triangles_) {
-    for (const double inverse : t.inverse) {
-      least = std::min(least, 1.0 / inverse);
-      most = std::max(most, 1.0 / inverse);
-    }
-  }
-  return {static_cast<float>(least), static_cast<float>(most)};
 }
 
 void TerrainInView::fillSpan(const Camera& camera, const float* inverse, TerrainSide side,

@@ -16,6 +16,9 @@
 
 namespace seaway::render {
 
+/// Whether any of a map, or the sea bed that it ends in, may lie in a camera's view.
+bool mapMayShow(const TerrainMap& map, const Camera& camera);
+
 /// Ground and sea bed of a view, on every way of drawing. A technique keeps one of these: levels of
 /// detail and skin are made when a terrain is first in view.
 class TerrainInView {
@@ -41,8 +44,8 @@ class TerrainInView {
     bool empty() const { return triangles_.empty(); }
     void fill(std::span<const glm::vec3> corners, const Camera& camera);
     void raster(Strip& strip) const;
-    PixelBox boxIn(glm::ivec2 picture) const;
-    std::pair<float, float> axialRange() const;
+    PixelBox boxIn(glm::ivec2 picture) const { return boxOf(triangles_, picture); }
+    std::pair<float, float> axialRange() const { return axialRangeOf(triangles_); }
     std::size_t memoryBytes() const { return triangles_.capacity() * sizeof(ScreenTriangle); }
 
    private:
@@ -59,7 +62,6 @@ class TerrainInView {
                 PixelSpan& span) const;
 
  private:
-  bool mapMayShow(const TerrainMap& map, const Camera& camera) const;
   void decide(const View& view, bool called, const char* reason);
 
   std::shared_ptr<const TerrainMap> kept_;  // what lod_ and skin_ are of

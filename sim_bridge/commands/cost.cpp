@@ -104,8 +104,8 @@ int runCost(const CostOptions& options, std::ostream& out) {
       }
     }
     if (!scene.cameras.empty()) {
-      for (Study& study : studyTerrain(scene, sea, studyOptions)) {
-        studies.push_back(std::move(study));
+      for (const auto& of : {studyTerrain, studyShadows, studyUnderWater}) {
+        for (Study& study : of(scene, sea, studyOptions)) studies.push_back(std::move(study));
       }
     }
     progress.update(7);

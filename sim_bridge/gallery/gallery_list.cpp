@@ -5,23 +5,15 @@
 #include <set>
 
 #include "sim_bridge/output/number_text.h"
-#include "sim_bridge/scene/schema_fields.h"
+#include "sim_bridge/scene/raised_place_schema.h"
 
 namespace seaway::bridge {
 namespace {
 
 Mapping<GalleryPicture> pictureSchema() {
   using G = GalleryPicture;
-  using P = CameraPlace;
   const Range compass = Range::within(-360.0, 360.0);
-  const Mapping<P> place({
-      number("latitude_deg", &P::latitude_deg, "°", Range::within(-90.0, 90.0), "WGS84",
-             Need::required),
-      number("longitude_deg", &P::longitude_deg, "°", Range::within(-180.0, 360.0), "WGS84",
-             Need::required),
-      number("height_m", &P::height, "m", Range::within(-1000.0, 10000.0),
-             "above the still-water level"),
-  });
+  const auto place = raisedPlaceSchema<CameraPlace>("above the still-water level");
   return Mapping<G>({
       name("name", &G::name, "of its files, unique"),
       text("scene", &G::scenePath, "scene file, relative to the list", Need::required),

@@ -93,11 +93,6 @@ class CallSlot {
   void take() {
     begun_ = std::chrono::steady_clock::now();
     bloated_ = bloated_ || received_.Length() > mostKept;
-    if (!received_.Valid()) {
-      // gRPC has dropped it and told the host so.
-      return refuse(std::make_exception_ptr(RpcFault(
-          grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge, "the message is far too long")));
-    }
     if (received_.Length() > host_.mostMessageBytes) {
       return refuse(std::make_exception_ptr(
           RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,

@@ -49,6 +49,7 @@ Mapping<LightSettings> lightSchema() {
              "compass direction it blows from: pushes free hulls; without it none is pushed"),
   });
   using L = LightSettings;
+  using render::ToneCurve;
   return Mapping<L>({
       mapping("sun", &L::sun, sun, "the sun"),
       mapping("moon", &L::moon, moon, "the moon, which shines while the sun is down"),
@@ -58,6 +59,15 @@ Mapping<LightSettings> lightSchema() {
       number("visibility_m", &L::visibility, "m", Range::within(10.0, 1e6),
              "distance at which haze leaves 2 % of a thing's contrast"),
       mapping("shading", &L::shading, shadingSchema(), "rival terms of the water's shading"),
+      choice("tone_map", &L::toneCurve,
+             {{"filmic", ToneCurve::filmic},
+              {"reinhard", ToneCurve::reinhard},
+              {"linear", ToneCurve::linear}},
+             "how exposed radiance becomes a colour: filmic: a fit of the ACES curve; reinhard: "
+             "white at 4 times the exposed light; linear: white from 1 on"),
+      choice("dither", &L::dithers, {{"true", true}, {"false", false}},
+             "colours are rounded by a fixed pattern of pixels, within one step of 255, so that "
+             "slow gradients show no bands; radiance is not"),
   });
 }
 

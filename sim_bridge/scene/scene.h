@@ -164,6 +164,8 @@ struct LightSettings {
   double turbidity = 0.045;   ///< of the water, 1/m
   double visibility = 28e3;   ///< of the air, m
   render::ShadingTerms shading;
+  render::ToneCurve toneCurve = render::ToneCurve::filmic;
+  bool dithers = true;
 };
 
 /// A lamp that stands in the scene.

@@ -1,6 +1,6 @@
 #include "sim_bridge/scene/scene_camera_schema.h"
 
-#include "sim_bridge/scene/schema_fields.h"
+#include "sim_bridge/scene/raised_place_schema.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge {
@@ -61,15 +61,7 @@ void requirePinhole(const SceneCamera& camera, const YamlValue& value) {
 
 Mapping<SceneCamera> cameraSchema() {
   using C = SceneCamera;
-  using P = CameraPlace;
-  const Mapping<P> place({
-      number("latitude_deg", &P::latitude_deg, "°", Range::within(-90.0, 90.0), "WGS84",
-             Need::required),
-      number("longitude_deg", &P::longitude_deg, "°", Range::within(-180.0, 360.0), "WGS84",
-             Need::required),
-      number("height_m", &P::height, "m", Range::within(-1000.0, 10000.0),
-             "above the still-water level"),
-  });
+  const auto place = raisedPlaceSchema<CameraPlace>("above the still-water level");
   return Mapping<C>(
       {
           name("name", &C::name, "unique among cameras"),

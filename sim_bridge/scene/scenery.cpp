@@ -2,24 +2,17 @@
 
 #include <spdlog/spdlog.h>
 
-#include "sim_bridge/scene/schema_fields.h"
+#include "sim_bridge/scene/raised_place_schema.h"
 
 namespace seaway::bridge {
 
 Mapping<SceneryObject> scenerySchema() {
   using S = SceneryObject;
-  using P = SceneryPlace;
   const Range compass = Range::within(-360.0, 360.0);
   const std::vector<std::pair<std::string, std::string>> axes{
       {"+x", "+x"}, {"-x", "-x"}, {"+y", "+y"}, {"-y", "-y"}, {"+z", "+z"}, {"-z", "-z"}};
-  const Mapping<P> place({
-      number("latitude_deg", &P::latitude_deg, "°", Range::within(-90.0, 90.0), "WGS84",
-             Need::required),
-      number("longitude_deg", &P::longitude_deg, "°", Range::within(-180.0, 360.0), "WGS84",
-             Need::required),
-      number("height_m", &P::height, "m", Range::within(-1000.0, 10000.0),
-             "of the mesh's origin above the still-water level; above the water if it floats"),
-  });
+  const auto place = raisedPlaceSchema<SceneryPlace>(
+      "of the mesh's origin above the still-water level; above the water if it floats");
   const Mapping<HullFileSettings> file({
       number("unit_m", &HullFileSettings::metresPerUnit, "m", Range::above(0.0),
              "length of the file's unit"),

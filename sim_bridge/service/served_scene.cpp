@@ -5,6 +5,7 @@
 #include "sim_bridge/scene/vessel_course.h"
 #include "sim_bridge/scene/vessel_launch.h"
 #include "sim_bridge/scene_wakes.h"
+#include "sim_bridge/simulation.h"
 
 namespace seaway::bridge {
 
@@ -24,6 +25,7 @@ ServedScene::ServedScene(const Scene& loaded, Sea built)
                        .step = cascade.front().step});
     anyFree = anyFree || vessels.back().free;
   }
+  if (anyFree) Simulation(scene, this->sea);  // tells now what would not float
 }
 
 WaterSurface withWaves(const WaterSurface& water, const WaveField& waves) {

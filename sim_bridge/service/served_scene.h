@@ -22,7 +22,7 @@ struct ServedVessel {
 };
 
 /// A scene with its sea, as they were loaded. Immutable. Throws InputError for a layer's file that
-/// cannot be read.
+/// cannot be read and for a free vessel that cannot float.
 struct ServedScene {
   ServedScene(const Scene& loaded, Sea built);
   ServedScene(const ServedScene&) = delete;

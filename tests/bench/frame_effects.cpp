@@ -1,3 +1,6 @@
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,12 +17,19 @@
 /// What each effect costs a frame, by technique: milliseconds that a frame takes longer with it
 /// than with it switched off.
 ///
-///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [--column software] [SCENE:CAMERA:TIME ...]
+///   frame_effects [--backend egl:0] [--size 1280x720] [--repeats 9] [--column software]
+///   [SCENE:CAMERA:TIME ...]
 ///
 /// Two techniques of each kind draw by turns, one with all that the scene calls for, one without
 /// the effect; the table has the medians of their frames' difference, and of whole frames. A
 /// negative number is noise, or an effect without which more is drawn. The sea's wakes and layers
 /// belong to the simulation and stay.
+///
+///   frame_effects --frames [--threads 2] [--size 1280x720] [--repeats 25] [SCENE:CAMERA:TIME ...]
+///
+/// instead has a row a view, of the gallery's unless any are named, drawn in software: medians of
+/// the frame's wall time, of the processor time that it takes on all threads together, which other
+/// programs disturb less, and of the passes' wall times.
 namespace seaway::bench {
 namespace {
 
@@ -30,6 +40,8 @@ struct Options {
   glm::ivec2 size{1280, 720};
   int repeats = 9;
   std::string column;  // this one alone; empty: all
+  bool frames = false;
+  int threads = 0;  // 0: as many as there are cores
   std::vector<std::string> views;
 };
 
@@ -123,6 +135,39 @@ Costs measure(Stage& stage, const Column& column, const Options& options) {
   return costs;
 }
 
+double processorMs() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto ms = [](const timeval& t) { return 1e3 * t.tv_sec + 1e-3 * t.tv_usec; };
+  return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+/// A view's row of `--frames`.
+void printFrame(Stage& stage, const std::string& view, const Options& options) {
+  const auto technique = render::makeTechnique(
+      {.technique = "projected_grid", .variant = "software", .grid = stage.scene.accuracy.grid});
+  render::Frame frame;
+  std::vector<double> walls, processor;
+  std::vector<std::pair<std::string, std::vector<double>>> passes;
+  for (int i = -2; i < options.repeats; ++i) {  // two to set up what stays
+    const double before = processorMs();
+    const double wall = stage.drawMs(*technique, stage.scene.effects, options.size, frame);
+    if (i < 0) continue;
+    processor.push_back(processorMs() - before);
+    walls.push_back(wall);
+    const auto& taken = frame.stats.passesMs;
+    passes.resize(taken.size());
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+      passes[k].first = taken[k].first;
+      passes[k].second.push_back(taken[k].second);
+    }
+  }
+  std::printf("%-44s %8.1f %10.1f  ", view.c_str(), median(walls), median(processor));
+  for (const auto& [name, ms] : passes) std::printf(" %s %.1f", name.c_str(), median(ms));
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
 void printTable(const std::string& view, const std::vector<Column>& columns,
                 const std::vector<Costs>& costs) {
   std::printf("\n%s, ms\n%-14s", view.c_str(), "");
@@ -150,6 +195,7 @@ void printTable(const std::string& view, const std::vector<Column>& columns,
 }
 
 void run(const Options& options) {
+  if (options.frames) std::printf("%-44s %8s %10s   passes, ms\n", "view", "wall", "processor");
   for (const std::string& text : options.views) {
     std::istringstream parts(text);
     std::string path, camera, time;
@@ -157,6 +203,10 @@ void run(const Options& options) {
     std::getline(parts, camera, ':');
     std::getline(parts, time);
     Stage stage(path, camera, std::atof(time.c_str()));
+    if (options.frames) {
+      printFrame(stage, text, options);
+      continue;
+    }
     std::vector<Column> columns = columnsFor(options.backend, stage.scene.accuracy.grid);
     if (!options.column.empty()) {
       std::erase_if(columns, [&](const Column& c) { return c.name != options.column; });
@@ -180,6 +230,10 @@ int main(int argc, char** argv) {
       options.backend = argv[++i];
     } else if (hasValue && word == "--repeats") {
       options.repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (word == "--frames") {
+      options.frames = true;
+    } else if (hasValue && word == "--threads") {
+      options.threads = std::max(0, std::atoi(argv[++i]));
     } else if (hasValue && word == "--column") {
       options.column = argv[++i];
     } else if (hasValue && word == "--size") {
@@ -188,11 +242,26 @@ int main(int argc, char** argv) {
       options.views.push_back(word);
     }
   }
-  if (options.views.empty()) {
+  if (options.views.empty() && options.frames) {
+    options.views = {
+        "configs/scenes/dawn.yaml:shore:4",          "configs/scenes/calm.yaml:quay:10",
+        "configs/scenes/canaveral.yaml:chase:20",    "configs/scenes/canaveral.yaml:bow:20",
+        "configs/scenes/storm.yaml:chase:12",        "configs/scenes/harbour.yaml:quay:5",
+        "configs/scenes/harbour.yaml:pier:4",        "configs/scenes/island.yaml:boat:4",
+        "configs/scenes/island.yaml:reef:4",         "configs/scenes/under_water.yaml:diver:4",
+        "configs/scenes/under_water.yaml:swimmer:4", "configs/scenes/night.yaml:quay:8",
+        "configs/scenes/crater_lake.yaml:shore:20",  "configs/scenes/crater_lake.yaml:rim:20",
+        "configs/scenes/crossing_wakes.yaml:mast:30"};
+  } else if (options.views.empty()) {
     options.views = {"configs/scenes/canaveral.yaml:chase:20", "configs/scenes/harbour.yaml:quay:5",
                      "configs/scenes/storm.yaml:chase:12",
                      "configs/scenes/crater_lake.yaml:shore:20"};
   }
+  const tbb::global_control limit(
+      tbb::global_control::max_allowed_parallelism,
+      options.threads > 0
+          ? options.threads
+          : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   try {
     seaway::bench::run(options);
   } catch (const std::exception& fault) {

@@ -1,6 +1,7 @@
 #include "render/lens.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "render/exr.h"
 #include "render/png.h"
+#include "render/technique_choice.h"
 #include "surface/input_error.h"
 #include "surface/surface_ray.h"
 #include "tests/render/hard_views.h"
@@ -297,6 +299,40 @@ TEST(Labels, InstancesAreTheFrontmostObjectsInEveryVariant) {
     // Whiteness is a ramp over slopes, of which each way loses its own within a pixel.
     EXPECT_NEAR(white, foam, 0.3 * foam);
     EXPECT_LE(radiances, 16000 / 20);  // outlines, and crests whose glints moved
+  }
+}
+
+/// Bytes that the program's allocations hold; 0 where a sanitizer replaces them.
+double heldBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+TEST(LensMemory, OfTheLargerPictureIsWhatItsLimitCountsWith) {
+  if (heldBytes() == 0.0) GTEST_SKIP() << "allocations are not counted here";
+  const WaterSurface water = test::moderateSea();
+  const auto taken = [&](glm::ivec2 size, int samples, double& pixels) {
+    EffectLedger effects;
+    Camera camera = test::cameraAt({0, 0, 6.0}, -6.0, 0.0, 60.0, size);
+    if (samples == 1) camera.distortion = action;
+    const glm::dvec2 larger(samples == 1 ? lensMap(camera, 1).wide.size : samples * size);
+    pixels = larger.x * larger.y;
+    View view = viewOf(water, camera, effects);
+    view.samplesPerSide = samples;
+    const double before = heldBytes();
+    const auto technique = makeTechnique({.grid = {64, 64}});
+    const Frame frame = technique->draw(view);
+    return heldBytes() - before;
+  };
+  for (const int samples : {1, 3}) {
+    double fewPixels = 0.0, manyPixels = 0.0;
+    taken({64, 48}, samples, fewPixels);  // what is made once
+    const double few = taken({320, 240}, samples, fewPixels);
+    const double many = taken({960, 720}, samples, manyPixels);
+    const double each = (many - few) / (manyPixels - fewPixels);
+    std::printf("%d a side: %.1f bytes a pixel of the larger picture\n", samples, each);
+    EXPECT_LT(each, lensBytesPerPixel);
+    EXPECT_GT(each, 0.4 * lensBytesPerPixel);
   }
 }
 

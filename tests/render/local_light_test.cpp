@@ -10,53 +10,17 @@
 #include <memory>
 
 #include "render/fresnel.h"
-#include "tests/render/seas.h"
+#include "tests/render/stage.h"
 
 // Scene objects by way of the water: mirrored in it, and seen through it.
 namespace seaway::render {
 namespace {
 
-/// A box from (x0, y0, z0) to (x1, y1, z1), outside faces counter-clockwise.
-Mesh box(glm::vec3 least, glm::vec3 most, glm::vec3 colour) {
-  const auto at = [&](int i) {
-    return glm::vec3(i & 1 ? most.x : least.x, i & 2 ? most.y : least.y, i & 4 ? most.z : least.z);
-  };
-  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  Mesh mesh;
-  mesh.parts.push_back({{}, colour});
-  for (const auto& f : faces) {
-    for (const int i : {f[0], f[1], f[2], f[0], f[2], f[3]})
-      mesh.parts[0].vertices.push_back(at(i));
-  }
-  mesh.boundingRadius = std::max(glm::length(least), glm::length(most));
-  return mesh;
-}
-
-/// Still, windless water with `objects`, seen by `camera`.
-struct Stage {
-  WaterSurface water = test::stillSea();
-  Camera camera;
-  std::vector<SceneObject> objects;
-  EffectSettings settings{};
-  double turbidity = 0.0;
-
-  View view(EffectLedger& effects) const {
-    View view;
-    view.water = &water;
-    view.camera = camera;
-    view.light = {
-        .sunElevation = 0.6, .sunDirection = 2.0, .windSpeed = 0.0, .turbidity = turbidity};
-    view.objects = objects;
-    view.effects = &effects;
-    return view;
-  }
-  Frame draw(RenderTechnique& technique) const {
-    EffectLedger effects(settings);
-    return technique.draw(view(effects));
-  }
+/// test::Stage in clear water, with a look at the pictures alone.
+struct Stage : test::Stage {
+  Stage() { light.turbidity = 0.0; }
   /// The pictures alone.
-  LocalLight light() const {
+  LocalLight pictures() const {
     EffectLedger effects(settings);
     const View seen = view(effects);
     Lighting lighting;
@@ -68,14 +32,6 @@ struct Stage {
     return local;
   }
 };
-
-glm::dvec2 pixelOf(const Camera& camera, glm::dvec3 place) {
-  const glm::dvec3 p = place - camera.position;
-  const double perPixel = 2.0 * std::tan(0.5 * camera.verticalFieldOfView) / camera.size.y;
-  const double axial = glm::dot(p, camera.forward());
-  return 0.5 * glm::dvec2(camera.size) - 0.5 +
-         glm::dvec2(-glm::dot(p, camera.left()), -glm::dot(p, camera.up())) / (perPixel * axial);
-}
 
 /// How much brighter a pixel of water is in `a` than in `b`, or darker, in 255ths of all channels.
 int change(const Frame& a, const Frame& b, int x, int y) {
@@ -97,7 +53,7 @@ Stage pole(const Mesh& mesh) {
 }
 
 TEST(LocalLight, APoleIsMirroredWhereTheMirroredCameraSeesIt) {
-  const Mesh mesh = box({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
+  const Mesh mesh = test::boxMesh({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
   Stage stage = pole(mesh);
   stage.settings[static_cast<std::size_t>(Effect::refraction)] = EffectSetting::off;
   Stage without = stage;
@@ -106,7 +62,7 @@ TEST(LocalLight, APoleIsMirroredWhereTheMirroredCameraSeesIt) {
     const auto technique = inGl ? makeProjectedGrid(test::sharedContext(), {.grid = {128, 256}})
                                 : makeSoftwareGrid({.grid = {128, 256}});
     const Frame with = stage.draw(*technique), bare = without.draw(*technique);
-    const auto at = [&](double x, double y, double z) { return pixelOf(stage.camera, {x, y, z}); };
+    const auto at = [&](double x, double y, double z) { return test::pixelOf(stage.camera, {x, y, z}); };
     // By the mirrored corners; its nearer side hides the water between it and the farther one.
     const double top = at(29.7, 1.0, 0.0).y, bottom = at(29.7, 1.0, -3.0).y;
     const double left = at(29.7, 1.3, -1.5).x, right = at(29.7, 0.7, -1.5).x;
@@ -131,22 +87,22 @@ TEST(LocalLight, APoleIsMirroredWhereTheMirroredCameraSeesIt) {
 }
 
 TEST(LocalLight, NothingBelowTheWaterLeaksIntoTheMirror) {
-  const Mesh mesh = box({-1.0, -1.0, -3.0}, {1.0, 1.0, -0.2}, glm::vec3(0.9f));
+  const Mesh mesh = test::boxMesh({-1.0, -1.0, -3.0}, {1.0, 1.0, -0.2}, glm::vec3(0.9f));
   Stage stage = pole(mesh);
-  EXPECT_TRUE(stage.light().mirrored().empty());
-  EXPECT_FALSE(stage.light().below().empty());
+  EXPECT_TRUE(stage.pictures().mirrored().empty());
+  EXPECT_FALSE(stage.pictures().below().empty());
   // A box that stands half in the water: whatever is mirrored lies below the plane.
-  const Mesh half = box({-1.0, -1.0, -3.0}, {1.0, 1.0, 2.0}, glm::vec3(0.9f));
+  const Mesh half = test::boxMesh({-1.0, -1.0, -3.0}, {1.0, 1.0, 2.0}, glm::vec3(0.9f));
   stage = pole(half);
-  const LocalLight light = stage.light();
+  const LocalLight light = stage.pictures();
   const auto heights = [&](const LocalImage& image) {
     double least = 1e9, most = -1e9;
     for (int y = 0; y < image.size.y; ++y) {
       for (int x = 0; x < image.size.x; ++x) {
-        const glm::vec4 texel = image.texels[static_cast<std::size_t>(y) * image.size.x + x];
-        if (texel.w == 0.0f) continue;
+        const float nearness = image.nearness[static_cast<std::size_t>(y) * image.size.x + x];
+        if (nearness == 0.0f) continue;
         const glm::dvec3 ray = stage.camera.rayThrough(glm::dvec2(image.least + glm::ivec2(x, y)));
-        const double range = 1.0 / (texel.w * glm::dot(ray, stage.camera.forward()));
+        const double range = 1.0 / (nearness * glm::dot(ray, stage.camera.forward()));
         least = std::min(least, stage.camera.position.z + range * ray.z);
         most = std::max(most, stage.camera.position.z + range * ray.z);
       }
@@ -163,15 +119,15 @@ TEST(LocalLight, NothingBelowTheWaterLeaksIntoTheMirror) {
 }
 
 TEST(LocalLight, SeenStraightDownThingsLieAtTheirDepthOverTheIndex) {
-  const Mesh mesh = box({-2.0, -2.0, -1.0}, {2.0, 2.0, 0.0}, glm::vec3(0.8f));
+  const Mesh mesh = test::boxMesh({-2.0, -2.0, -1.0}, {2.0, 2.0, 0.0}, glm::vec3(0.8f));
   Stage stage;
   stage.camera = test::cameraAt({0, 0, 5.0}, -90.0, 0.0, 30.0, {101, 101});
   stage.objects = {{&mesh, {0.0, 0.0, -4.0}, {1, 0, 0, 0}}};
-  const LocalImage below = stage.light().below();
+  const LocalImage below = stage.pictures().below();
   const glm::ivec2 middle = glm::ivec2(50, 50) - below.least;
-  const glm::vec4 texel =
-      below.texels[static_cast<std::size_t>(middle.y) * below.size.x + middle.x];
-  EXPECT_NEAR(1.0 / texel.w, 5.0 + 4.0 / seaWaterIndex, 1e-5 * 8.0);  // floats of 8 m
+  const float nearness =
+      below.nearness[static_cast<std::size_t>(middle.y) * below.size.x + middle.x];
+  EXPECT_NEAR(1.0 / nearness, 5.0 + 4.0 / seaWaterIndex, 1e-5 * 8.0);  // floats of 8 m
 }
 
 TEST(LocalLight, RedIsGoneAfterFourAndAHalfMetresOfClearWater) {
@@ -200,7 +156,7 @@ glm::dvec3 middleColour(const Frame& frame) {
 }
 
 TEST(LocalLight, WhiteThingsTurnGreenBlueAndDarkAsTheySink) {
-  const Mesh mesh = box({-3.0, -3.0, -0.5}, {3.0, 3.0, 0.0}, glm::vec3(0.8f));
+  const Mesh mesh = test::boxMesh({-3.0, -3.0, -0.5}, {3.0, 3.0, 0.0}, glm::vec3(0.8f));
   Stage stage;
   stage.camera = test::cameraAt({0, 0, 5.0}, -90.0, 0.0, 30.0, {101, 101});
   const auto technique = makeSoftwareGrid({.grid = {64, 64}});
@@ -215,13 +171,13 @@ TEST(LocalLight, WhiteThingsTurnGreenBlueAndDarkAsTheySink) {
     before = colour;
   }
   EXPECT_GT(before.g - water.g, 4.0 * (before.r - water.r));  // hardly any red is left at 8 m
-  stage.turbidity = 2.0;
+  stage.light.turbidity = 2.0;
   const glm::dvec3 murky = middleColour(stage.draw(*technique));
   EXPECT_LT(glm::length(murky - water), 2.0);  // two of 255: nothing of it is seen
 }
 
 TEST(LocalLight, NothingIsHeldOrDrawnUnlessCalledFor) {
-  const Mesh mesh = box({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
+  const Mesh mesh = test::boxMesh({-0.3, -0.3, -2.0}, {0.3, 0.3, 3.0}, glm::vec3(0.9f));
   const auto states = [&](Stage stage) {
     EffectLedger effects(stage.settings);
     const auto technique = makeSoftwareGrid({.grid = {64, 64}});
@@ -257,7 +213,7 @@ TEST(LocalLight, NothingIsHeldOrDrawnUnlessCalledFor) {
 }
 
 TEST(LocalLightHard, CamerasInTheWaterPlaneAndThingsAshoreDrawNumbers) {
-  const Mesh mesh = box({-2.0, -1.0, -1.0}, {2.0, 1.0, 2.0}, glm::vec3(0.6f));
+  const Mesh mesh = test::boxMesh({-2.0, -1.0, -1.0}, {2.0, 1.0, 2.0}, glm::vec3(0.6f));
   const auto technique = makeSoftwareGrid({.grid = {64, 128}});
   for (const double height : {0.0, 1e-9, 1e-3, 4.0}) {
     Stage stage = pole(mesh);
@@ -269,15 +225,18 @@ TEST(LocalLightHard, CamerasInTheWaterPlaneAndThingsAshoreDrawNumbers) {
       EXPECT_EQ(std::count_if(frame.depth.metres.begin(), frame.depth.metres.end(),
                               [](float d) { return std::isnan(d); }),
                 0);
-      for (const LocalImage& image : {stage.light().mirrored(), stage.light().below()}) {
-        for (const glm::vec4& texel : image.texels) ASSERT_TRUE(std::isfinite(texel.w + texel.x));
+      for (const LocalImage& image : {stage.pictures().mirrored(), stage.pictures().below()}) {
+        for (std::size_t i = 0; i < image.light.size(); ++i) {
+          ASSERT_TRUE(std::isfinite(image.nearness[i] + image.radiance(i).x));
+          ASSERT_EQ(image.light[i] == 0, image.nearness[i] == 0.0f);
+        }
       }
     }
   }
   Stage ashore = pole(mesh);
   const std::vector<OutlinePolygon> pond{{{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}}}};
   ashore.water.setOutline(std::make_shared<const WaterOutline>(pond));
-  EXPECT_TRUE(ashore.light().mirrored().empty());
+  EXPECT_TRUE(ashore.pictures().mirrored().empty());
 }
 
 }  // namespace

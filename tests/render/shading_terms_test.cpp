@@ -56,7 +56,10 @@ TEST(ShadingTerms, LinearExtinctionEndsWhereTheExponentialLeavesAFewOfAHundred) 
   LitWater water;
   water.sky = test::evenSky(0.0f);
   // A submerged thing of radiance 1 everywhere, `apparent` below the surface seen straight down.
-  water.below = {{-200, -200}, {400, 400}, std::vector<glm::vec4>(160000, glm::vec4(1.0f))};
+  water.below.least = {-200, -200};
+  water.below.size = {400, 400};
+  // 1 = 256 · 2^(16 − 24), three times.
+  water.below.light.assign(160000, 16u << 27 | 256u << 18 | 256u << 9 | 256u);
   ShadingConstants& c = water.constants;
   c.belowIsOn = true;
   c.belowLeast = glm::vec2(water.below.least);
@@ -64,7 +67,7 @@ TEST(ShadingTerms, LinearExtinctionEndsWhereTheExponentialLeavesAFewOfAHundred) 
   c.waterExtinction = 3.0f / glm::vec3(4.5f, 75.0f, 300.0f);
   for (const double depth : {1.0, 2.0, 4.0, 6.0}) {
     const float inverse = static_cast<float>(1.0 / (10.0 + depth / seaWaterIndex));
-    for (glm::vec4& texel : water.below.texels) texel.w = inverse;
+    water.below.nearness.assign(160000, inverse);
     const double share = 1.0 - fresnelReflectance(1.0);
     c.extinctionIsLinear = false;
     const double left = std::exp(-3.0 * depth / 4.5);

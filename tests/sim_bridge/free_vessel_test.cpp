@@ -273,6 +273,32 @@ TEST(FreeVesselsHard, ShoresAndBedsAreTold) {
   EXPECT_NE(shore.find("'pilot' is aground"), std::string::npos) << shore;
 }
 
+TEST(FreeVesselsHard, OneThatSailsOntoATerrainIsTold) {
+  // A bed 5 m deep that rises northwards from 20 m on: by 1 in 4 to a beach, or as a wall.
+  const auto fault = [](double steepness) {
+    Waters waters(sceneOf());
+    TerrainMap::Grid grid{{-100.0, -100.0}, {2.0, 2.0}, {101, 101}, {}};
+    for (int row = 0; row < 101; ++row) {
+      const double north = -100.0 + 2.0 * row;
+      const double height = std::min(-5.0 + steepness * std::max(north - 20.0, 0.0), 3.0);
+      grid.heights.insert(grid.heights.end(), 101, static_cast<float>(height));
+    }
+    waters.scene.terrain.map = std::make_shared<const TerrainMap>(grid);
+    waters.sea->surface.setTerrain(waters.scene.terrain.map);
+    Simulation simulation = waters.start();
+    const std::string message = test::inputErrorOf([&] { simulation.stepTo(30.0); });
+    // At 4 m/s, its bow 6 m ahead: not before the bed rises.
+    EXPECT_GT(simulation.time(), 2.5);
+    EXPECT_LT(simulation.time(), 12.0);
+    return message;
+  };
+  for (const double steepness : {0.25, 4.0}) {
+    const std::string message = fault(steepness);
+    EXPECT_NE(message.find("'pilot' is aground at "), std::string::npos) << message;
+    EXPECT_NE(message.find("below the terrain"), std::string::npos) << message;
+  }
+}
+
 TEST(FreeVesselsHard, WhatCannotMoveFreelyIsRefusedWithItsLine) {
   const auto fault = [](std::string text, const std::string& vessel) {
     return test::inputErrorOf([&] { Waters waters(text, vessel); });

@@ -5,17 +5,16 @@
 //   /tmp/make_terrain configs/terrain/island.png
 //
 // Grey 0 is 40 m below the sea, 65535 is 120 m above it.
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
+
+#include "terrain_noise.h"
 
 namespace {
 
@@ -23,38 +22,6 @@ constexpr int side = 513;          // heights
 constexpr double spacing = 4.0;    // m
 constexpr double black = -40.0, white = 120.0;
 constexpr double step = 0.04;      // m: finer steps would only make the file larger
-
-double knot(int x, int y) {
-  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9E3779B1u ^
-                    static_cast<std::uint32_t>(y) * 0x85EBCA77u;
-  h = (h ^ h >> 15) * 0x2C1B3C6Du;
-  h = (h ^ h >> 12) * 0x297A2D39u;
-  return (h ^ h >> 15) / 2147483648.0 - 1.0;
-}
-
-/// Noise of a size in m, about [−1, 1]: two turned lattices, so that neither is seen.
-double noise(glm::dvec2 place, double size) {
-  double sum = 0.0;
-  for (const glm::dvec2 turn : {glm::dvec2(0.8, 0.6), glm::dvec2(-0.28, 0.96)}) {
-    const glm::dvec2 turned(turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y);
-    const glm::dvec2 at = turned / size + 37.0 * turn, corner = glm::floor(at), part = at - corner;
-    const glm::dvec2 w = part * part * part * (part * (part * 6.0 - 15.0) + 10.0);
-    const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
-    sum += glm::mix(glm::mix(knot(x, y), knot(x + 1, y), w.x),
-                    glm::mix(knot(x, y + 1), knot(x + 1, y + 1), w.x), w.y);
-  }
-  return 0.75 * sum;
-}
-
-/// Ridges: sums of folded noise, about [0, 1].
-double ridges(glm::dvec2 place) {
-  double sum = 0.0, weight = 0.5;
-  for (double size = 260.0; size > 14.0; size *= 0.46) {
-    sum += weight * (1.0 - std::abs(noise(place + size * 7.0, size)));
-    weight *= 0.5;
-  }
-  return sum;
-}
 
 double smoothLeast(double a, double b, double width) {
   const double part = glm::clamp(0.5 + 0.5 * (b - a) / width, 0.0, 1.0);
@@ -82,7 +49,7 @@ double ground(glm::dvec2 p, double d) {
   // The north is steep to the water.
   const double north = glm::smoothstep(60.0, 330.0, p.y + 60.0 * noise(p, 150.0));
   const double cliff = 27.0 * north * glm::smoothstep(2.0, 26.0, d);
-  return beach + 125.0 * rise * (0.15 + ridges(p) * ridges(p)) + cliff * (0.7 + 0.5 * ridges(p));
+  return beach + 125.0 * rise * (0.15 + ridges(p, 260.0) * ridges(p, 260.0)) + cliff * (0.7 + 0.5 * ridges(p, 260.0));
 }
 
 double bed(glm::dvec2 p, double away) {
@@ -120,11 +87,5 @@ int main(int count, char** arguments) {
       grey.push_back(static_cast<std::uint16_t>(std::lround((z - black) / (white - black) * 65535)));
     }
   }
-  png_image image;
-  std::memset(&image, 0, sizeof image);
-  image.version = PNG_IMAGE_VERSION;
-  image.width = image.height = side;
-  image.format = PNG_FORMAT_LINEAR_Y;
-  if (png_image_write_to_file(&image, arguments[1], 0, grey.data(), 0, nullptr)) return 0;
-  return std::fprintf(stderr, "%s: %s\n", arguments[1], image.message), 1;
+  return writeGrey(arguments[1], side, grey);
 }

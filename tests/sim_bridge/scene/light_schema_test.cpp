@@ -52,6 +52,28 @@ TEST(LightSchema, ReadsMoonAirWaterAndTermsAndKeepsOursByDefault) {
   EXPECT_EQ(light.shading.backFaces, render::BackFaces::keep);
 }
 
+TEST(LightSchema, ChoosesAToneCurveAndDither) {
+  const auto seen = [](const std::string& more) {
+    const Scene scene = sceneWith(more);
+    const Sea water = buildSea(scene);
+    EffectLedger ledger(scene.effects);
+    return SceneView(scene)
+        .view(Simulation(scene, water), scene.cameras[0], {32, 24}, ledger)
+        .light;
+  };
+  EXPECT_EQ(seen("").toneCurve, render::ToneCurve::filmic);
+  EXPECT_TRUE(seen("").dithers);
+  EXPECT_EQ(seen("light: {tone_map: reinhard}\n").toneCurve, render::ToneCurve::reinhard);
+  const render::Light light = seen("light: {tone_map: linear, dither: false}\n");
+  EXPECT_EQ(light.toneCurve, render::ToneCurve::linear);
+  EXPECT_FALSE(light.dithers);
+  const std::string fault = faultOf("light: {tone_map: aces}\n");
+  for (const char* word :
+       {"scene.yaml:3", "light.tone_map", "aces", "filmic", "reinhard", "linear"}) {
+    EXPECT_NE(fault.find(word), std::string::npos) << fault;
+  }
+}
+
 TEST(LightSchema, SaysWhatIsAllowedWhereAWordOrANumberIsNot) {
   EXPECT_NE(faultOf("light: {shading: {specular: blinn}}\n").find("phong"), std::string::npos);
   EXPECT_NE(faultOf("light: {turbidity_per_m: -1}\n").find("turbidity_per_m"), std::string::npos);

@@ -123,6 +123,30 @@ TEST(MetricsServiceHard, BadRequestsAreRefusedWithAReasonAndCounted) {
             "4");
 }
 
+TEST(MetricsServiceHard, WhatIsNoRequestIsCountedToo) {
+  Watched watched;
+  const auto counted = [&](const char* reason) {
+    return std::stoi(watched.metric("seaway_refused_requests_total{endpoint=\"http\",reason=\"" +
+                                    std::string(reason) + "\"}"));
+  };
+  const auto sendBytes = [&](const std::string& text) {
+    asio::io_context context;
+    asio::ip::tcp::socket socket(context);
+    socket.connect({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(watched.port)});
+    asio::write(socket, asio::buffer(text));
+    char answer[256];
+    asio::error_code ignored;
+    const std::size_t size = socket.read_some(asio::buffer(answer), ignored);
+    return std::string(answer, std::min<std::size_t>(size, 12));
+  };
+  EXPECT_EQ(counted("malformed"), 0);
+  EXPECT_EQ(sendBytes("nonsense\r\n\r\n"), "HTTP/1.1 400");
+  EXPECT_EQ(counted("malformed"), 1);
+  EXPECT_EQ(counted("not_found"), 0);
+  EXPECT_EQ(sendBytes("POST / HTTP/1.1\r\nContent-Length: 0\r\n\r\n"), "HTTP/1.1 404");
+  EXPECT_EQ(counted("not_found"), 1);
+}
+
 TEST(MetricsServiceHard, MalformedHttpAndHalfOpenSocketsBlockNobody) {
   Watched watched;
   asio::io_context context;
