@@ -145,7 +145,7 @@ void addSoakCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--every", options->every,
                       "simulated seconds between readings of memory and steps (default 3600)");
   command->add_option("--settled", options->settled,
-                      "simulated seconds after which memory must stay within 2 % (default 7200)");
+                      "simulated seconds after which memory must stay within 2 % (default 10800)");
   addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
   command->footer("Example:\n  seaway soak configs/scenes/soak.yaml --out out/soak");

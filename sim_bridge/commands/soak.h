@@ -13,7 +13,7 @@ struct SoakOptions {
   std::string out;              ///< folder; empty: out/ and the scene's name
   std::optional<double> hours;  ///< simulated; none: the scene's duration
   double every = 3600.0;        ///< simulated s between readings
-  double settled = 7200.0;      ///< s after which memory is to stay as it is
+  double settled = 10800.0;     ///< s after which memory is to stay as it is
   std::string backend = "osmesa";
   bool json = false;
 };
