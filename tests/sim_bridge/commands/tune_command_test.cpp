@@ -78,7 +78,7 @@ TEST(Tune, ARunSetsWhatItAchievesBesideWhatWasForeseen) {
   folder.write("scene.yaml", test::readFile(scene) +
                                  "\ntuned: {height_m: 0.1, query_ns: 9, frame_ms: 8, step_us: 7}\n");
   const auto outcome = seaway({"run", scene.string(), "--out", (folder / "out").string(),
-                               "--duration", "0.2", "--json"});
+                               "--duration", "0.2", "--fps", "20", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto tuned = nlohmann::json::parse(outcome.out)["tuned"];
   EXPECT_EQ(tuned["foreseen"]["query_ns"], 9.0);
