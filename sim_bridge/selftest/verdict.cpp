@@ -26,6 +26,14 @@ std::vector<fs::path> filesUnder(const fs::path& folder) {
   return files;
 }
 
+/// Whether a run left the list by which the next one clears away what it drew.
+bool hasListOfLeftovers(const fs::path& folder) {
+  const fs::recursive_directory_iterator entries(folder);
+  return std::any_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == "summary.json.unfinished";
+  });
+}
+
 std::string textOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -65,7 +73,13 @@ std::string faultOfRefusal(const ChildOutcome& outcome, const Expectation& expec
     return "the message names no line of the scene: " + firstLine(outcome.err);
   }
   const auto left = filesUnder(folder);
-  return left.empty() ? "" : "it refused and left " + left.front().filename().string();
+  // A run that ends under way (a hull aground, say) keeps whole pictures and lists them for the next.
+  const bool underWay = !left.empty() && hasListOfLeftovers(folder);
+  for (const fs::path& path : left) {
+    const bool whole = path.filename().string().find(".part") == std::string::npos;
+    if (!underWay || !whole) return "it refused and left " + path.filename().string();
+  }
+  return "";
 }
 
 std::string faultOfAnswer(const ChildOutcome& outcome, const fs::path& folder) {

@@ -68,6 +68,10 @@ TEST(Verdict, LooksIntoTheFilesThatAreLeft) {
   folder.write("t.csv", "a,b\n1,2\n");
   EXPECT_EQ(faultOf(ended(0), {}, folder.path()), "");
   EXPECT_NE(faultOf(ended(2, "", "error"), {}, folder.path()), "") << "a refusal left a file";
+  folder.write("summary.json.unfinished", "{}");
+  EXPECT_EQ(faultOf(ended(2, "", "error"), {}, folder.path()), "") << "a run ended under way";
+  folder.write("telemetry.csv.part17", "a,b");
+  EXPECT_NE(faultOf(ended(2, "", "error"), {}, folder.path()), "") << "half a file";
 }
 
 }  // namespace
