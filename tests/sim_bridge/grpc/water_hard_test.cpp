@@ -90,6 +90,8 @@ class Relay {
       tcp::socket host = acceptor_.accept();
       tcp::socket there(io_);
       there.connect(tcp::endpoint(asio::ip::make_address(to.host), to.port));
+      host.non_blocking(true);
+      there.non_blocking(true);
       std::thread back([&] { pass(there, host); });
       pass(host, there);
       back.join();
@@ -106,7 +108,6 @@ class Relay {
 
  private:
   void pass(tcp::socket& from, tcp::socket& to) {
-    from.non_blocking(true);
     std::array<char, 16384> bytes;
     while (!ending_) {
       asio::error_code fault;
@@ -116,10 +117,14 @@ class Relay {
         continue;
       }
       if (fault) return;
-      to.non_blocking(false);
-      asio::write(to, asio::buffer(bytes, size), fault);
-      to.non_blocking(true);
-      if (fault) return;
+      for (std::size_t sent = 0; sent < size && !ending_;) {
+        sent += to.write_some(asio::buffer(bytes.data() + sent, size - sent), fault);
+        if (fault == asio::error::would_block) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        } else if (fault) {
+          return;
+        }
+      }
     }
   }
   asio::io_context io_;
