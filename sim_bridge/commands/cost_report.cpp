@@ -134,16 +134,14 @@ std::string heightErrorFigure(const std::vector<Study>& studies) {
   plot.y = {"error, m rms", false, 0.0};  // not logarithmic: the whole sea has no error
   for (const Study& study : studies) {
     if (study.name != "query_octaves") continue;
-    Curve curve{"by number of octaves", {}, {}}, chosen{"the scene's: " + study.chosen, {}, {}};
-    chosen.style = CurveStyle::points;
+    plot.curves.push_back({"by number of octaves", {}, {}});
     for (const CostPoint& point : study.points) {
-      for (Curve* to : {&curve, &chosen}) {
-        if (to == &chosen && point.setting != study.chosen) continue;
-        to->x.push_back(point.cost);
-        to->y.push_back(point.error);
-      }
+      plot.curves.front().x.push_back(point.cost);
+      plot.curves.front().y.push_back(point.error);
+      if (point.setting != study.chosen) continue;
+      plot.curves.push_back(
+          {"the scene's: " + study.chosen, {point.cost}, {point.error}, CurveStyle::mark});
     }
-    plot.curves = {curve, chosen};
   }
   return svgOf(plot);
 }

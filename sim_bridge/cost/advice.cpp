@@ -44,8 +44,7 @@ void adviseOnHeights(const Study& study, std::vector<std::string>& advice) {
   if (!tenth || tenth == &all) return;
   advice.push_back(
       fmt::format("Heights within {:.2g} m rms, a tenth of the sea's own deviation, cost {:.0f} ns "
-                  "a point ({}); "
-                  "all of the sea costs {:.0f} ns ({}).",
+                  "a point ({}); all of the sea costs {:.0f} ns ({}).",
                   tenth->error, tenth->cost, tenth->setting, all.cost, all.setting));
 }
 
@@ -75,8 +74,7 @@ void adviseOnHulls(const Study& still, const Study& waves, std::vector<std::stri
   if (!mesh) return;
   advice.push_back(fmt::format(
       "A 12 m hull's buoyancy is within {:.2g} % of its weight for {:.0f} us ({}, with the waves' "
-      "own "
-      "pressure); by {} it is {:.2g} % off, for {:.0f} us.",
+      "own pressure); by {} it is {:.2g} % off, for {:.0f} us.",
       mesh->error, mesh->cost, mesh->setting, columns.setting, columns.error, columns.cost));
 }
 
@@ -86,8 +84,7 @@ void adviseOnWakes(const Study& study, std::vector<std::string>& advice) {
   if (!percent || percent == &finest) return;
   advice.push_back(fmt::format(
       "A wake kept by a {} takes {:.0f} us for 0.1 s of sailing, {:.2g} % of its height wrong; by "
-      "a {} "
-      "{:.0f} us, {:.2g} %.",
+      "a {} {:.0f} us, {:.2g} %.",
       percent->setting, percent->cost, percent->error, finest.setting, finest.cost, finest.error));
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "render/technique_choice.h"
@@ -31,6 +32,7 @@ std::size_t residentBytes() {
       if (line.starts_with(key)) kilobytes += std::stoul(line.substr(key.size()));
     }
   }
+  if (kilobytes == 0) throw std::runtime_error("/proc/self/status tells no RssAnon");
   return kilobytes * 1024;
 }
 
