@@ -68,18 +68,24 @@ bool PictureThread::drawFor(SlotPictures& pictures) {
     const auto request = checked(job->request, backing_, segment_.layout().pixel_limit);
     const Picture picture = backing_.draw(request);
     requirePixels(picture.width, picture.height, segment_.layout().pixel_limit);
-    pictures.deliver(*job, request.time, picture);
+    const auto drawn = pictures.stored(*job, request.time, picture);
     if (backing_.observer) {
       backing_.observer->pictureSent(std::chrono::duration<double>(Clock::now() - start).count());
     }
+    pictures.answer(*job, drawn);
   } catch (const Refused& why) {
-    pictures.refuse(*job, why);
-    if (backing_.observer) backing_.observer->refused(why.status);
+    refuse(pictures, *job, why);
   } catch (const std::exception& fault) {
-    pictures.refuse(*job, Refused(SEAWAY_SHM_FAILED, fault.what()));
-    if (backing_.observer) backing_.observer->refused(SEAWAY_SHM_FAILED);
+    refuse(pictures, *job, Refused(SEAWAY_SHM_FAILED, fault.what()));
   }
   return true;
+}
+
+// Counted first: what a host has heard of is in the figures.
+void PictureThread::refuse(SlotPictures& pictures, const SlotPictures::Job& job,
+                           const Refused& why) {
+  if (backing_.observer) backing_.observer->refused(why.status);
+  pictures.refuse(job, why);
 }
 
 }  // namespace seaway::bridge::shm

@@ -22,6 +22,7 @@ class PictureThread {
  private:
   void run();
   bool drawFor(SlotPictures& pictures);
+  void refuse(SlotPictures& pictures, const SlotPictures::Job& job, const Refused& why);
 
   Segment& segment_;
   std::span<const std::unique_ptr<SlotWorker>> workers_;

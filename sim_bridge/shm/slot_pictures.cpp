@@ -31,11 +31,9 @@ std::optional<SlotPictures::Job> SlotPictures::asked() {
   return job;
 }
 
-void SlotPictures::deliver(const Job& job, double t, const Picture& picture) {
+seaway_shm_picture_answer SlotPictures::stored(const Job& job, double t, const Picture& picture) {
   const std::size_t pixels = std::size_t{picture.width} * picture.height;
   const std::size_t colour = (3 * pixels + 63) / 64 * 64;
-  const std::lock_guard lock(mutex_);
-  if (!isFor(job)) return;
   seaway_shm_picture_answer drawn{};
   drawn.status = SEAWAY_SHM_OK;
   drawn.width = picture.width;
@@ -43,20 +41,18 @@ void SlotPictures::deliver(const Job& job, double t, const Picture& picture) {
   drawn.time = t;
   drawn.colour_offset = segment_.layout().pixels_offset;
   drawn.depth_offset = drawn.colour_offset + colour;
-  if (segment_.reservePixels(slot_, colour + 4 * pixels)) {
-    std::byte* const to = segment_.pixels(slot_);
-    std::memcpy(to, picture.rgb.data(), 3 * pixels);
-    std::memcpy(to + colour, picture.depth.data(), 4 * pixels);
-  } else {
-    drawn.status = SEAWAY_SHM_NO_MEMORY;
-    write(drawn.message, "the machine's shared memory is used up");
+  const std::lock_guard lock(mutex_);
+  if (!isFor(job)) return drawn;
+  if (!segment_.reservePixels(slot_, colour + 4 * pixels)) {
+    throw Refused(SEAWAY_SHM_NO_MEMORY, "the machine's shared memory is used up");
   }
-  answer(job, drawn);
+  std::byte* const to = segment_.pixels(slot_);
+  std::memcpy(to, picture.rgb.data(), 3 * pixels);
+  std::memcpy(to + colour, picture.depth.data(), 4 * pixels);
+  return drawn;
 }
 
 void SlotPictures::refuse(const Job& job, const Refused& why) {
-  const std::lock_guard lock(mutex_);
-  if (!isFor(job)) return;
   seaway_shm_picture_answer drawn{};
   drawn.status = why.status;
   write(drawn.message, why.what());
@@ -64,6 +60,8 @@ void SlotPictures::refuse(const Job& job, const Refused& why) {
 }
 
 void SlotPictures::answer(const Job& job, const seaway_shm_picture_answer& drawn) {
+  const std::lock_guard lock(mutex_);
+  if (!isFor(job)) return;
   seaway_shm_slot& slot = segment_.slot(slot_);
   std::memcpy(&slot.drawn, &drawn, sizeof drawn);
   slot.drawn.number = job.number;

@@ -26,12 +26,14 @@ class SlotPictures {
   /// What the host asks for and has not been given.
   std::optional<Job> asked();
 
-  /// Writes a job's answer where the host that asked is still there.
-  void deliver(const Job& job, double t, const Picture& picture);
+  /// Where a job's picture of time `t` lies, once copied there for the host that asked, if that is
+  /// still there. Throws `Refused` where the machine has no memory for it.
+  seaway_shm_picture_answer stored(const Job& job, double t, const Picture& picture);
+  /// Tells the host that asked, if that is still there.
+  void answer(const Job& job, const seaway_shm_picture_answer& drawn);
   void refuse(const Job& job, const Refused& why);
 
  private:
-  void answer(const Job& job, const seaway_shm_picture_answer& drawn);
   bool isFor(const Job& job) const { return session_ != 0 && session_ == job.session; }
 
   Segment& segment_;
