@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/wake_pyramid_kernels.h"
 #include "surface/disturbance/wake_sampling.h"
 
 namespace seaway::render {
@@ -183,67 +184,6 @@ std::vector<float> slopeOf(const WakePyramid::Level& level, double cell, double&
   return squares;
 }
 
-struct Weights {
-  float value[4], slope[4];
-  explicit Weights(float t) {
-    const float u = 1.0f - t;
-    value[0] = u * u * u * (1.0f / 6.0f);
-    value[1] = 2.0f / 3.0f - t * t * (1.0f - 0.5f * t);
-    value[2] = 2.0f / 3.0f - u * u * (1.0f - 0.5f * u);
-    value[3] = t * t * t * (1.0f / 6.0f);
-    slope[0] = -0.5f * u * u;
-    slope[1] = t * (1.5f * t - 2.0f);
-    slope[2] = u * (2.0f - 1.5f * u);
-    slope[3] = 0.5f * t * t;
-  }
-};
-
-/// Of numbers that a long long can hold; std::floor is a call on old processors.
-double floorOf(double x) {
-  const auto whole = static_cast<double>(static_cast<long long>(x));
-  return whole > x ? whole - 1.0 : whole;
-}
-
-/// Height and slope (per cell) of a level at a place in its cells.
-struct Sample {
-  float height = 0.0f, x = 0.0f, y = 0.0f;
-};
-Sample sampleAt(const WakePyramid::Level& level, double x, double y) {
-  const double floorX = floorOf(x), floorY = floorOf(y);
-  const Weights across(static_cast<float>(x - floorX)), up(static_cast<float>(y - floorY));
-  const int mask = level.cells - 1;
-  const int i = static_cast<int>(static_cast<long long>(floorX) & mask);
-  const int j = static_cast<int>(static_cast<long long>(floorY) & mask);
-  float values[4] = {}, slopes[4] = {};
-  for (int r = 0; r < 4; ++r) {
-    const float* const row = level.row(j - 1 + r) + i - 1;
-    for (int c = 0; c < 4; ++c) {
-      values[c] += up.value[r] * row[c];
-      slopes[c] += up.slope[r] * row[c];
-    }
-  }
-  Sample sample;
-  for (int c = 0; c < 4; ++c) {
-    sample.height += across.value[c] * values[c];
-    sample.x += across.slope[c] * values[c];
-    sample.y += across.value[c] * slopes[c];
-  }
-  return sample;
-}
-
-/// Bilinear between the blocks' centres, periodic.
-float missingAt(const std::vector<float>& missing, double x, double y) {
-  constexpr int blocks = WakePyramid::blocks, mask = blocks - 1;
-  const double floorX = floorOf(x - 0.5), floorY = floorOf(y - 0.5);
-  const auto u = static_cast<float>(x - 0.5 - floorX), v = static_cast<float>(y - 0.5 - floorY);
-  const int i = static_cast<int>(static_cast<long long>(floorX) & mask);
-  const int j = static_cast<int>(static_cast<long long>(floorY) & mask);
-  const auto at = [&](int a, int b) { return missing[(b & mask) * blocks + (a & mask)]; };
-  const float low = at(i, j) + u * (at(i + 1, j) - at(i, j));
-  const float high = at(i, j + 1) + u * (at(i + 1, j + 1) - at(i, j + 1));
-  return low + v * (high - low);
-}
-
 }  // namespace
 
 void WakePyramid::takeTime(const WakeSheet& sheet, double t) {
@@ -300,24 +240,16 @@ void WakePyramid::addTo(std::span<const double> x, std::span<const double> y, fl
                         const Arrays& out) const {
   const int finer = std::min(static_cast<int>(level), static_cast<int>(levels_.size()) - 1);
   const float share = level - static_cast<float>(finer);
-  const double half = 0.5 * size();
-  const auto add = [&](const Level& from, int number, float part, std::size_t p) {
-    const double perBlock = blocks / (2.0 * half);
-    if (!out.missing.empty() && number > 0) {
-      out.missing[p] += part * missingAt(from.missing, x[p] * perBlock, y[p] * perBlock);
-    }
-    if (from.cells == 0) return;
-    const double perCell = from.cells / (2.0 * half);
-    const Sample sample = sampleAt(from, x[p] * perCell, y[p] * perCell);
-    out.height[p] += part * sample.height;
-    out.slopeX[p] += part * static_cast<float>(perCell) * sample.x;
-    out.slopeY[p] += part * static_cast<float>(perCell) * sample.y;
+  const WakeSums sums{out.height.data(), out.slopeX.data(), out.slopeY.data(),
+                      out.missing.empty() ? nullptr : out.missing.data()};
+  const auto add = [&](int number, float part) {
+    const Level& from = levels_[number];
+    addWakeLevel({from.spline.data(), from.stride, from.cells,
+                  number > 0 ? from.missing.data() : nullptr, blocks, centre_.x, centre_.y, size()},
+                 part, x, y, sums);
   };
-  for (std::size_t p = 0; p < x.size(); ++p) {
-    if (!(std::abs(x[p] - centre_.x) < half && std::abs(y[p] - centre_.y) < half)) continue;
-    add(levels_[finer], finer, 1.0f - share, p);
-    if (share > 0.0f) add(levels_[finer + 1], finer + 1, share, p);
-  }
+  add(finer, 1.0f - share);
+  if (share > 0.0f) add(finer + 1, share);
 }
 
 std::size_t WakePyramid::memoryBytes() const {

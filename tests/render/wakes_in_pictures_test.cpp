@@ -254,5 +254,32 @@ TEST(WakePyramid, KeepsWavesOfFourSpacingsAndTurnsShorterOnesIntoRoughness) {
   }
 }
 
+TEST(WakePyramid, GivesAPointTheSameBitsWhateverComesWithItAndNothingBesideTheWindow) {
+  WakePyramid pyramid;
+  pyramid.fill(waves(4.0), 0.5);
+  std::vector<double> x, y;
+  for (int i = 0; i < 61; ++i) x.push_back(-7.0 + 0.77 * i), y.push_back(1.3 + 0.49 * i);
+  x[20] = std::nan(""), y[30] = 1e12, x[40] = 32.0;  // the window's rim is outside
+  constexpr float before = 3.0f;
+  struct Sums {
+    explicit Sums(std::size_t n) : of(4, std::vector<float>(n, before)) {}
+    WakePyramid::Arrays arrays() { return {of[0], of[1], of[2], of[3]}; }
+    std::vector<std::vector<float>> of;
+  };
+  const float level = pyramid.levelFor(0.8);
+  Sums together(x.size());
+  pyramid.addTo(x, y, level, together.arrays());
+  int inside = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Sums alone(1);
+    pyramid.addTo(std::span(&x[i], 1), std::span(&y[i], 1), level, alone.arrays());
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(together.of[k][i], alone.of[k][0]) << i << ' ' << k;
+    const bool isInside = x[i] > 0.0 && x[i] < 32.0 && y[i] > 0.0 && y[i] < 32.0;
+    inside += isInside;
+    EXPECT_EQ(together.of[0][i] != before, isInside) << i;
+  }
+  EXPECT_GT(inside, 30);
+}
+
 }  // namespace
 }  // namespace seaway::render
