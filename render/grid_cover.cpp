@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <iterator>
 #include <limits>
 
 #include "render/surf.h"
@@ -14,6 +15,26 @@ const SurfaceCover* coverOf(const SurfaceAtTime& water) {
   return detail && !detail->cover.empty() ? &detail->cover : nullptr;
 }
 
+/// Points are asked about in as many at a time: most of a row lies far from what is left on it.
+constexpr std::size_t perBox = 32;
+
+struct Box {
+  glm::dvec2 least{std::numeric_limits<double>::infinity()};
+  glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+};
+using Boxes = std::array<Box, (gridChunk + perBox - 1) / perBox>;
+
+/// Around each `perBox` of the points.
+Boxes boxesOf(std::span<const glm::dvec2> points) {
+  Boxes boxes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Box& box = boxes[i / perBox];
+    box.least = glm::min(box.least, points[i]);
+    box.most = glm::max(box.most, points[i]);
+  }
+  return boxes;
+}
+
 }  // namespace
 
 void GridCover::sample(const SurfaceAtTime& water, std::span<const double> x,
@@ -23,20 +44,21 @@ void GridCover::sample(const SurfaceAtTime& water, std::span<const double> x,
   if (!cover) return;
   const std::size_t count = x.size();
   std::array<glm::dvec2, gridChunk> points;
-  glm::dvec2 least(std::numeric_limits<double>::infinity()), most = -least;
-  for (std::size_t i = 0; i < count; ++i) {
-    points[i] = {x[i], y[i]};
-    least = glm::min(least, points[i]);
-    most = glm::max(most, points[i]);
-  }
+  for (std::size_t i = 0; i < count; ++i) points[i] = {x[i], y[i]};
+  const Boxes boxes = boxesOf(std::span(points).first(count));
   const auto read = [&](const std::shared_ptr<const SurfaceLayer>& layer,
                         std::array<float, gridChunk>& to) {
-    const bool near = layer && layer->mayCover(least, most, water.time());
-    const auto values = std::span(to).first(count);
-    if (near) {
-      layer->sample(std::span(points).first(count), water.time(), values);
-    } else {
-      std::fill(values.begin(), values.end(), 0.0f);
+    bool near = false;
+    for (std::size_t first = 0; first < count; first += perBox) {
+      const std::size_t some = std::min(perBox, count - first);
+      const Box& box = boxes[first / perBox];
+      const auto values = std::span(to).subspan(first, some);
+      if (layer && layer->mayCover(box.least, box.most, water.time())) {
+        layer->sample(std::span(points).subspan(first, some), water.time(), values);
+        near = true;
+      } else {
+        std::fill(values.begin(), values.end(), 0.0f);
+      }
     }
     return near;
   };
@@ -70,19 +92,26 @@ void addExtras(const SurfaceAtTime& water, std::span<const double> x, std::span<
                double keptWavelength, const GridCover& cover, const GridWaves& waves) {
   const SurfaceExtras& extras = water.extras();
   if (cover.any && cover.damps && keptWavelength < SurfaceDetail::dampedWavelength) {
+    const auto isDamped = [](float part) { return part != 0.0f; };
+    const auto end = cover.damped.begin() + static_cast<std::ptrdiff_t>(x.size());
+    const auto from = std::find_if(cover.damped.begin(), end, isDamped);
+    const auto to =
+        std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(from), isDamped)
+            .base();
+    const auto first = static_cast<std::size_t>(from - cover.damped.begin());
+    const auto count = static_cast<std::size_t>(to - from);
     std::array<float, gridChunk> height, slopeX, slopeY;
-    const std::size_t count = x.size();
-    water.waves().sample(x, y,
+    water.waves().sample(x.subspan(first, count), y.subspan(first, count),
                          {std::span(height).first(count),
                           std::span(slopeX).first(count),
                           std::span(slopeY).first(count),
                           {}},
                          {.shortestWavelength = SurfaceDetail::dampedWavelength});
     for (std::size_t i = 0; i < count; ++i) {
-      const float part = cover.damped[i];
-      waves.height[i] += part * (height[i] - waves.height[i]);
-      waves.slopeX[i] += part * (slopeX[i] - waves.slopeX[i]);
-      waves.slopeY[i] += part * (slopeY[i] - waves.slopeY[i]);
+      const float part = cover.damped[first + i];
+      waves.height[first + i] += part * (height[i] - waves.height[first + i]);
+      waves.slopeX[first + i] += part * (slopeX[i] - waves.slopeX[first + i]);
+      waves.slopeY[first + i] += part * (slopeY[i] - waves.slopeY[first + i]);
     }
   }
   if (extras.events) {
