@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -100,8 +101,12 @@ void smoothEdges(ColourImage& colour, const DepthImage& depth, std::span<const P
   tbb::parallel_for(1, size.y - 1, [&](int y) {
     std::vector<std::uint8_t> outline(size.x);
     markOutlines(depth, classes, y, outline);
-    for (int x = 1; x + 1 < size.x; ++x) {
-      if (!outline[x]) continue;
+    const auto next = [&](int x) {  // on an outline, from x on
+      const void* found = std::memchr(&outline[x], 1, outline.size() - x);
+      return found ? static_cast<int>(static_cast<const std::uint8_t*>(found) - outline.data())
+                   : size.x;
+    };
+    for (int x = next(1); x < size.x; x = next(x + 1)) {
       if (!isSmooth.empty() && isSmooth[static_cast<std::size_t>(y) * size.x + x] != 0) continue;
       const glm::vec3 made = smoothed(source, x, y);
       if (made == source.texel(x, y)) continue;
