@@ -76,7 +76,8 @@ HWY_INLINE Real exp(Real a) {
   const Real rest = (turns - whole) * 0.69314718f;
   Real sum = Real(1.0f / 120.0f);
   for (const float term : {1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}) sum = sum * rest + term;
-  const VI exponent = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(Ints(), whole.v), hn::Set(Ints(), 127)));
+  const VI exponent =
+      hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(Ints(), whole.v), hn::Set(Ints(), 127)));
   return sum * Real(hn::BitCast(Floats(), exponent));
 }
 /// Error below 0.005: for mip levels.
@@ -155,6 +156,36 @@ HWY_INLINE VU gather(const std::uint32_t* from, VI at) {
   return hn::GatherIndex(Words(), from, at);
 }
 HWY_INLINE Real gather(const float* from, VI at) { return hn::GatherIndex(Floats(), from, at); }
+/// Words and those after them: half as long as two gathers where words are loaded in pairs.
+struct Pairs {
+  VU first, second;
+};
+HWY_INLINE Pairs gatherPairs(const std::uint32_t* from, VI at) {
+#if HWY_TARGET == HWY_AVX3
+  __m256i halves[4];
+  for (int k = 0; k < 4; ++k) {
+    const __m128i four = k == 0   ? _mm512_castsi512_si128(at.raw)
+                         : k == 1 ? _mm512_extracti32x4_epi32(at.raw, 1)
+                         : k == 2 ? _mm512_extracti32x4_epi32(at.raw, 2)
+                                  : _mm512_extracti32x4_epi32(at.raw, 3);
+    const auto load = [&](long long two) HWY_ATTR {
+      const __m128d low =
+          _mm_load_sd(reinterpret_cast<const double*>(from + static_cast<std::int32_t>(two)));
+      return _mm_castpd_si128(
+          _mm_loadh_pd(low, reinterpret_cast<const double*>(from + (two >> 32))));
+    };
+    halves[k] = _mm256_inserti128_si256(_mm256_castsi128_si256(load(_mm_cvtsi128_si64(four))),
+                                        load(_mm_extract_epi64(four, 1)), 1);
+  }
+  const auto joined = [](__m256i low, __m256i high) HWY_ATTR {
+    return VU{_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1)};
+  };
+  const VU low = joined(halves[0], halves[1]), high = joined(halves[2], halves[3]);
+  return {hn::ConcatEven(Words(), high, low), hn::ConcatOdd(Words(), high, low)};
+#else
+  return {gather(from, at), gather(from, hn::Add(at, setInt(1)))};
+#endif
+}
 /// An unsigned integer a pixel.
 struct Word {
   VU v;
@@ -184,7 +215,8 @@ HWY_INLINE Real2 cosineAndSine(Real turns) {
 /// Bits [shift, shift + count) of a word as a number.
 template <int kShift, int kCount>
 HWY_INLINE Real bitField(VU word) {
-  const VU bits = hn::And(hn::ShiftRight<kShift>(word), hn::Set(Words(), (1u << kCount) - 1u));
+  VU bits = hn::ShiftRight<kShift>(word);
+  if constexpr (kShift + kCount < 32) bits = hn::And(bits, hn::Set(Words(), (1u << kCount) - 1u));
   return toReal(hn::BitCast(Ints(), bits));
 }
 

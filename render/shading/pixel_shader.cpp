@@ -81,7 +81,7 @@ struct PixelShader : ShadingConstants {
     const Real x = clamp(pixel.x - least.x, -2.0f, size.x + 1.0f);
     const Real y = clamp(pixel.y - least.y, -2.0f, size.y + 1.0f);
     const Real column = floor(x), row = floor(y);
-    Real3 light(0.0f, 0.0f, 0.0f);
+    SharedExponentSum light;
     part = Real(0.0f);
     for (int i = 0; i < 4; ++i) {
       const float across = static_cast<float>(i & 1), along = static_cast<float>(i >> 1);
@@ -92,10 +92,10 @@ struct PixelShader : ShadingConstants {
       const VU word = gather(image->light.data(), at);
       const Mask covered = {hn::RebindMask(Floats(), hn::Ne(word, hn::Zero(Words())))};
       const Real shown = choose(covered, weight, 0.0f);
-      light = light + sharedExponentLight(word) * shown;
+      light.add(word, shown);
       part = part + shown;
     }
-    return light;
+    return light.light();
   }
   HWY_INLINE Real mirrorNearness(Real2 pixel) const {
     return localNearness(mirrorImage, mirrorLeast, mirrorSize, pixel);
@@ -154,20 +154,19 @@ struct PixelShader : ShadingConstants {
     return gather(waterline, toInt(row * (waterlineCells + 1.0f) + column));
   }
 
-  HWY_INLINE Real3 skyAtLevel(Real2 coordinate, Real level) const {
+  HWY_INLINE void addSky(Real2 coordinate, Real level, Real weight, SharedExponentSum& sum) const {
     const Level l = levelOf(SkyDome::side, level);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
-    return bilinear(skyTexels, clampedCorners(place, l.side, l.side, l.start),
-                    [](VU word) HWY_ATTR { return sharedExponentLight(word); });
+    addBilinear(skyTexels, clampedCorners(place, l.side, l.side, l.start), weight, sum);
   }
   HWY_INLINE Real3 skyTexel(Real2 coordinate, Real level) const {
     if (!skyIsOn) return Real3(skyLight);
     const Real clamped = clamp(level, 0.0f, SkyDome::levels - 1.0f);
     const Real low = floor(clamped), part = clamped - low;
-    const Real3 finer = skyAtLevel(coordinate, low);
-    if (!anyOf(part > 0.0f)) return finer;
-    const Real high = min(low + 1.0f, SkyDome::levels - 1.0f);
-    return mix(finer, skyAtLevel(coordinate, high), part);
+    SharedExponentSum sum;
+    addSky(coordinate, low, 1.0f - part, sum);
+    if (anyOf(part > 0.0f)) addSky(coordinate, min(low + 1.0f, SkyDome::levels - 1.0f), part, sum);
+    return sum.light();
   }
 
   /// Part of a pattern's variance that is left at a level, and `here` at the whole level before it.
@@ -193,10 +192,10 @@ struct PixelShader : ShadingConstants {
     const Level l = levelOf(ShadingTables::rippleSide, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
     const Corners c = wrappedCorners(place, l.side, l.start);
-    const auto texel = [&](int i)
-                           HWY_ATTR { return rippleTexel(gather(tables.ripples.data(), c.at[i])); };
-    const Real2 a = texel(0), low = a + (texel(1) - a) * c.part.x;
-    const Real2 b = texel(2), high = b + (texel(3) - b) * c.part.x;
+    const CornerTexels texels = gatherCorners(tables.ripples.data(), c);
+    const Real2 a = rippleTexel(texels.low.first), b = rippleTexel(texels.high.first);
+    const Real2 low = a + (rippleTexel(texels.low.second) - a) * c.part.x;
+    const Real2 high = b + (rippleTexel(texels.high.second) - b) * c.part.x;
     const Real scale = sqrt(kept / max(here, 1e-6f)) * (ShadingTables::rippleSpan / 32767.0f);
     const Real2 slope = (low + (high - low) * c.part.y) * scale;
     return {slope.x, slope.y, kept};
@@ -209,10 +208,7 @@ struct PixelShader : ShadingConstants {
     const Real kept = keptBetween(foamKept, clamped, whole, here);
     const Level l = levelOf(FoamTable::side, whole);
     const Real2 place(coordinate.x * l.side - 0.5f, coordinate.y * l.side - 0.5f);
-    const Corners c = wrappedCorners(place, l.side, l.start);
-    return {mix(mix(gather(foam, c.at[0]), gather(foam, c.at[1]), c.part.x),
-                mix(gather(foam, c.at[2]), gather(foam, c.at[3]), c.part.x), c.part.y),
-            kept};
+    return {bilinear(foam, wrappedCorners(place, l.side, l.start)), kept};
   }
 
   HWY_INLINE Corners fresnelCorners(Real rootCosine, Real deviation) const {
@@ -223,19 +219,17 @@ struct PixelShader : ShadingConstants {
   }
   HWY_INLINE Real2 roughMirror(Real rootCosine, Real deviation) const {
     const Corners c = fresnelCorners(rootCosine, deviation);
-    const auto decode = [&](int i) HWY_ATTR {
-      const VU word = gather(tables.mirror.data(), c.at[i]);
+    const CornerTexels texels = gatherCorners(tables.mirror.data(), c);
+    const auto decode = [](VU word) HWY_ATTR {
       return Real2(bitField<0, 16>(word), bitField<16, 16>(word));
     };
-    const Real2 a = decode(0), b = decode(1), low = a + (b - a) * c.part.x;
-    const Real2 d = decode(2), e = decode(3), high = d + (e - d) * c.part.x;
+    const Real2 a = decode(texels.low.first), d = decode(texels.high.first);
+    const Real2 low = a + (decode(texels.low.second) - a) * c.part.x;
+    const Real2 high = d + (decode(texels.high.second) - d) * c.part.x;
     return (low + (high - low) * c.part.y) * Real(1.0f / 65535.0f);
   }
   HWY_INLINE Real roughArea(Real rootCosine, Real deviation) const {
-    const Corners c = fresnelCorners(rootCosine, deviation);
-    const float* area = tables.area.data();
-    return mix(mix(gather(area, c.at[0]), gather(area, c.at[1]), c.part.x),
-               mix(gather(area, c.at[2]), gather(area, c.at[3]), c.part.x), c.part.y);
+    return bilinear(tables.area.data(), fresnelCorners(rootCosine, deviation));
   }
 
 #define SHADER HWY_INLINE

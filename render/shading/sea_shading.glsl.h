@@ -161,14 +161,28 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   return light;
 }
 
+// Whether a slope may shift what lies under the water into the pixel of a place where nothing does:
+// there half a metre of depth along the picture's axis is looked through. withObjectsBelow, by how
+// far its pixel can move at most.
+SHADER Real meetsBelow(Real2 pixel, Real perAxial, Real axial, Real2 slope) {
+  Real shift = 0.17f * perAxial;
+  Real ahead = slope.x * forward.x + slope.y * forward.y;
+  Real perPlace = shift / max(axial + 0.5f - shift * abs(ahead), 1e-3f);
+  Real across = slope.x * pixelRight.x + slope.y * pixelRight.y - (pixel.x - pixelMiddle.x) * ahead;
+  Real down = slope.x * pixelDown.x + slope.y * pixelDown.y - (pixel.y - pixelMiddle.y) * ahead;
+  Real2 reach = Real2(abs(across) * perPlace + 1.0f, abs(down) * perPlace + 1.0f);
+  Real meets = choose(pixel.x + reach.x > belowLeast.x, Real(1.0f), Real(0.0f));
+  meets = choose(pixel.x - reach.x < belowLeast.x + belowSize.x, meets, Real(0.0f));
+  meets = choose(pixel.y + reach.y > belowLeast.y, meets, Real(0.0f));
+  return choose(pixel.y - reach.y < belowLeast.y + belowSize.y, meets, Real(0.0f));
+}
+
 // Adds what of the scene's objects lies under the water to the light that comes up through it.
 // Depths there are apparent ones; the wave's slope shifts what is seen through it by as much of the
 // depth as a slope refracts.
-SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Real2 slope,
-                              Real3 water) {
-  Real axial = dot(relative, Real3(forward));
-  Real perAxial = distance / axial;
-  Real nearness = belowNearness(pixelOf(relative, axial));
+SHADER Real3 refractedObjects(Real3 relative, Real axial, Real perAxial, Real2 straight,
+                              Real3 toViewer, Real2 slope, Real3 water) {
+  Real nearness = belowNearness(straight);
   Real beyond = choose(nearness > 0.0f, 1.0f / max(nearness, 1e-6f) - axial, Real(0.5f)) * perAxial;
   Real apparent = max(beyond, 0.0f) * max(toViewer.z, 0.05f);
   Real shift = 0.34f * min(apparent, 4.0f);
@@ -192,6 +206,20 @@ SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Rea
     Real steep = sqrt(max(1.0f - (1.0f - toViewer.z * toViewer.z) / (1.34f * 1.34f), 0.1f));
     Real3 clear = leftInWater(max(depth, 0.0f) / steep);
     seen = water - water * clear * (part * shown) + light * clear * shown;
+  }
+  return seen;
+}
+
+SHADER Real3 withObjectsBelow(Real3 relative, Real distance, Real3 toViewer, Real2 slope,
+                              Real3 water) {
+  Real axial = dot(relative, Real3(forward));
+  Real perAxial = distance / axial;
+  Real2 straight = pixelOf(relative, axial);
+  Real meets = Real(1.0f);
+  if (!(shoreHardness > 0.0f)) meets = meetsBelow(straight, perAxial, axial, slope);
+  Real3 seen = water;
+  if (anyOf(meets > 0.0f)) {
+    seen = refractedObjects(relative, axial, perAxial, straight, toViewer, slope, water);
   }
   return seen;
 }

@@ -16,22 +16,24 @@ HWY_BEFORE_NAMESPACE();
 namespace seaway::render {
 namespace HWY_NAMESPACE {
 
-/// Four neighbours of a texture coordinate and how far it is from the first.
+/// Four neighbours of a texture coordinate and how far it is from the first: in two rows, `across`
+/// texels from the left one to the right.
 struct Corners {
-  VI at[4];
+  VI low, high;  // the left ones
+  VI across;
+  bool areBeside;  // across is 1 for all
   Real2 part;
 };
 
-/// `place` in texels, (0, 0) the first texel's centre; indices clamped to the edge.
+/// `place` in texels, (0, 0) the first texel's centre, held to the edge. Where there are not two
+/// columns and rows, what lies before the first texel is read and does not count.
 HWY_INLINE Corners clampedCorners(Real2 place, Real columns, Real rows, VI start) {
-  const Real x0 = clamp(floor(place.x), 0.0f, columns - 1.0f);
-  const Real y0 = clamp(floor(place.y), 0.0f, rows - 1.0f);
-  const Real x1 = min(x0 + 1.0f, columns - 1.0f), y1 = min(y0 + 1.0f, rows - 1.0f);
+  const Real lastX = columns - 1.0f, lastY = rows - 1.0f;
+  const Real x = clamp(place.x, 0.0f, lastX), y = clamp(place.y, 0.0f, lastY);
+  const Real left = min(floor(x), lastX - 1.0f), low = min(floor(y), lastY - 1.0f);
   // Indices stay below 2²⁴: exact in float.
-  const VI low = hn::Add(start, toInt(y0 * columns)), high = hn::Add(start, toInt(y1 * columns));
-  const VI left = toInt(x0), right = toInt(x1);
-  return {{hn::Add(low, left), hn::Add(low, right), hn::Add(high, left), hn::Add(high, right)},
-          {clamp(place.x - x0, 0.0f, 1.0f), clamp(place.y - y0, 0.0f, 1.0f)}};
+  const VI first = hn::Add(start, toInt(low * columns + left));
+  return {first, hn::Add(first, toInt(columns)), setInt(1), true, {x - left, y - low}};
 }
 
 /// The same where the texture repeats; `side` a power of two.
@@ -42,16 +44,48 @@ HWY_INLINE Corners wrappedCorners(Real2 place, Real side, VI start) {
   const VI left = hn::And(xi, last), right = hn::And(hn::Add(xi, one), last);
   const VI low = hn::Add(start, toInt(toReal(hn::And(yi, last)) * side));
   const VI high = hn::Add(start, toInt(toReal(hn::And(hn::Add(yi, one), last)) * side));
-  return {{hn::Add(low, left), hn::Add(low, right), hn::Add(high, left), hn::Add(high, right)},
+  return {hn::Add(low, left),
+          hn::Add(high, left),
+          hn::Sub(right, left),
+          hn::AllTrue(Ints(), hn::Gt(right, left)),
           {place.x - x0, place.y - y0}};
 }
 
-HWY_INLINE Real3 sharedExponentLight(VU word) {
-  // RGB9E5: mantissas times 2^(exponent − 24).
-  const VU exponent = hn::Add(hn::ShiftRight<27>(word), hn::Set(Words(), 127u - 24u));
-  const Real scale = hn::BitCast(Floats(), hn::ShiftLeft<23>(exponent));
-  return Real3(bitField<0, 9>(word), bitField<9, 9>(word), bitField<18, 9>(word)) * scale;
+/// What the texels at corners are, by rows.
+struct CornerTexels {
+  Pairs low, high;
+};
+HWY_INLINE CornerTexels gatherCorners(const std::uint32_t* texels, const Corners& c) {
+  if (c.areBeside) return {gatherPairs(texels, c.low), gatherPairs(texels, c.high)};
+  return {{gather(texels, c.low), gather(texels, hn::Add(c.low, c.across))},
+          {gather(texels, c.high), gather(texels, hn::Add(c.high, c.across))}};
 }
+
+/// Between numbers at corners.
+HWY_INLINE Real bilinear(const float* texels, const Corners& c) {
+  const CornerTexels at = gatherCorners(reinterpret_cast<const std::uint32_t*>(texels), c);
+  const auto real = [](VU word) HWY_ATTR { return Real(hn::BitCast(Floats(), word)); };
+  return mix(mix(real(at.low.first), real(at.low.second), c.part.x),
+             mix(real(at.high.first), real(at.high.second), c.part.x), c.part.y);
+}
+
+/// Sum of light kept as RGB9E5 words, mantissas times 2^(exponent − 24); green and blue are added
+/// up 2⁹ and 2¹⁸ times too large, which is exact and spares shifting them.
+struct SharedExponentSum {
+  Real3 sum;
+
+  HWY_INLINE SharedExponentSum() : sum(0.0f, 0.0f, 0.0f) {}
+  HWY_INLINE void add(VU word, Real weight) {
+    const VU exponent = hn::Add(hn::ShiftRight<27>(word), hn::Set(Words(), 127u - 24u));
+    const Real scale = hn::BitCast(Floats(), hn::ShiftLeft<23>(exponent));
+    const Real factor = weight * scale;
+    const auto field = [&](std::uint32_t bits) HWY_ATTR {
+      return toReal(hn::BitCast(Ints(), hn::And(word, hn::Set(Words(), bits))));
+    };
+    sum = sum + Real3(field(0x1FFu), field(0x1FFu << 9), field(0x1FFu << 18)) * factor;
+  }
+  HWY_INLINE Real3 light() const { return {sum.x, sum.y * 0x1.0p-9f, sum.z * 0x1.0p-18f}; }
+};
 
 /// The reverse, rounded; 2⁻²⁴ of red for no light at all.
 HWY_INLINE VU sharedExponentWord(Real3 light) {
@@ -75,11 +109,16 @@ HWY_INLINE Real2 rippleTexel(VU word) {
   return {toReal(hn::ShiftRight<16>(hn::ShiftLeft<16>(bits))), toReal(hn::ShiftRight<16>(bits))};
 }
 
-template <class Decode>
-HWY_INLINE Real3 bilinear(const std::uint32_t* texels, const Corners& c, Decode decode) {
-  return mix(mix(decode(gather(texels, c.at[0])), decode(gather(texels, c.at[1])), c.part.x),
-             mix(decode(gather(texels, c.at[2])), decode(gather(texels, c.at[3])), c.part.x),
-             c.part.y);
+/// Adds light between corners, times `weight`.
+HWY_INLINE void addBilinear(const std::uint32_t* texels, const Corners& c, Real weight,
+                            SharedExponentSum& sum) {
+  const CornerTexels at = gatherCorners(texels, c);
+  const Real high = c.part.y * weight, low = weight - high;
+  const Real highRight = c.part.x * high, lowRight = c.part.x * low;
+  sum.add(at.low.first, low - lowRight);
+  sum.add(at.low.second, lowRight);
+  sum.add(at.high.first, high - highRight);
+  sum.add(at.high.second, highRight);
 }
 
 /// First texel and side of a level, `level` whole.
