@@ -260,7 +260,7 @@ TEST(WakePyramid, GivesAPointTheSameBitsWhateverComesWithItAndNothingBesideTheWi
   std::vector<double> x, y;
   for (int i = 0; i < 61; ++i) x.push_back(-7.0 + 0.77 * i), y.push_back(1.3 + 0.49 * i);
   x[20] = std::nan(""), y[30] = 1e12, x[40] = 32.0;  // the window's rim is outside
-  constexpr float before = 3.0f;
+  static constexpr float before = 3.0f;
   struct Sums {
     explicit Sums(std::size_t n) : of(4, std::vector<float>(n, before)) {}
     WakePyramid::Arrays arrays() { return {of[0], of[1], of[2], of[3]}; }
