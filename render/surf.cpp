@@ -24,7 +24,7 @@ constexpr float toe = 0.9f;           // how far the roller reaches down the fro
 constexpr float toeEdge = 0.1f;       // over which it begins
 constexpr float leastRoller = 0.35f;  // its length; else of `heightsLong` wave heights
 constexpr float heightsLong = 3.0f;
-constexpr float rollerCover = 0.9f, leftCover = 0.55f;
+constexpr float rollerCover = 0.85f, leftCover = 0.4f;
 constexpr float lifetime = 2.5f;  // s
 constexpr float turn = static_cast<float>(2.0 * pi);
 
@@ -82,7 +82,7 @@ float boreFoam(const Bores& bores, float part, float depth, float height, float 
   const float waveHeight = 2.0f * std::sqrt(square);
   const float water = std::clamp((depth + height) / std::max(waveHeight, 1e-3f), 0.0f, 1.0f);
   const float roller =
-      std::clamp(heightsLong * waveHeight * water * bores.waveNumber, leastRoller, 1.2f);
+      std::clamp(heightsLong * waveHeight * water * bores.waveNumber, leastRoller, 0.8f);
   float behind = toe - std::atan2(-across, height);
   if (behind < 0.0f) behind += turn;
   return breaks * std::sqrt(water) * foamBehind(behind, roller, bores.fade);
