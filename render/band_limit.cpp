@@ -1,7 +1,9 @@
 #include "render/band_limit.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "surface/angles.h"
 
 namespace seaway::render {
 namespace {
@@ -9,6 +11,16 @@ namespace {
 double smoothstep(double low, double high, double x) {
   const double f = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return f * f * (3.0 - 2.0 * f);
+}
+
+/// Mean square of an octave's slopes along its direction less that across it.
+double slopeAheadOfAcross(const Octave& octave) {
+  if (octave.kind == OctaveKind::perlin) return 0.0;  // the same all round
+  const double carrier = std::pow(octave.standardDeviation * octave.waveNumber, 2);
+  if (octave.kind == OctaveKind::regular) return carrier;
+  // The rest is its envelope's, by 1/ℓ² along and across.
+  const double along = std::pow(octave.lengthAlong, -2), across = std::pow(octave.lengthAcross, -2);
+  return carrier + (meanSquareSlope(octave) - carrier) * (along - across) / (along + across);
 }
 
 }  // namespace
@@ -19,7 +31,9 @@ BandLimit::BandLimit(const WaveField& waves) {
   for (const Octave& octave : waves.octaves()) {
     octaves_.push_back({dominantWavelength(octave), meanSquareSlope(octave)});
     totalSlope_ += octaves_.back().slope;
+    lean_ += slopeAheadOfAcross(octave) * unitVector(2.0 * octave.toward);
   }
+  lean_ = totalSlope_ > 0.0 ? lean_ / totalSlope_ : glm::dvec2(0.0);
 }
 
 BandLimit::Plan BandLimit::planFor(double spacing) const {

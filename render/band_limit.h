@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "surface/field/wave_field.h"
@@ -30,6 +31,9 @@ class BandLimit {
 
   /// Mean-square slope of the whole field.
   double totalSlope() const { return totalSlope_; }
+  /// Which way the waves' slopes lean, all together: (⟨sx² − sy²⟩, 2⟨sx sy⟩)/⟨sx² + sy²⟩ of slopes
+  /// (sx, sy); of length 0 for even ones or none, 1 for waves of one direction.
+  glm::dvec2 lean() const { return lean_; }
 
  private:
   struct Entry {
@@ -38,6 +42,7 @@ class BandLimit {
   };
   std::vector<Entry> octaves_;
   double totalSlope_ = 0.0;
+  glm::dvec2 lean_{0.0};
 };
 
 }  // namespace seaway::render

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "render/grid_cover.h"
 #include "render/render_technique.h"
 #include "render/terrain/terrain_in_view.h"
+#include "surface/angles.h"
+#include "surface/constants.h"
 
 namespace seaway::render {
 namespace {
@@ -16,13 +19,92 @@ namespace {
 constexpr double breakerIndex = 0.42;
 constexpr double leastHeight = 0.02;  // m, H_m0: ripples leave no foam
 
+// Angles of a wave's phase, 0 at the crest, growing ahead of it.
+constexpr float toe = 0.9f;           // how far the roller reaches down the front
+constexpr float toeEdge = 0.1f;       // over which it begins
+constexpr float leastRoller = 0.35f;  // its length; else of `heightsLong` wave heights
+constexpr float heightsLong = 3.0f;
+constexpr float rollerCover = 0.85f, leftCover = 0.4f;
+constexpr float lifetime = 2.5f;  // s
+constexpr float turn = static_cast<float>(2.0 * pi);
+
+/// Of the bores that a row of a grid carries.
+struct Bores {
+  float variance = 0.0f;    // of height, m²
+  float waveNumber = 0.0f;  // of slope along their direction, 1/m
+  float fade = 0.0f;        // phase over which foam falls to 1/e, rad, inverse
+  float shown = 0.0f;       // part of them that has crests and troughs here, [0, 1]
+};
+
+Bores boresOf(const WaveField& field, double shortest, glm::dvec2 towards) {
+  double variance = 0.0, slope = 0.0;
+  for (const Octave& octave : field.octaves()) {
+    const double wavelength = dominantWavelength(octave);
+    if (wavelength < shortest) continue;
+    const double square = octave.standardDeviation * octave.standardDeviation;
+    const double along = 2.0 * pi / wavelength * glm::dot(unitVector(octave.toward), towards);
+    variance += square;
+    slope += square * along * along;
+  }
+  Bores bores;
+  const double share = variance / std::pow(field.standardDeviation(), 2);
+  if (!(slope > 0.0)) return bores;
+  const double waveNumber = std::sqrt(slope / variance);
+  const double depth = std::min(waveNumber * field.settings().depth, 20.0);
+  const double turnsPerSecond = std::sqrt(standardGravity * waveNumber * std::tanh(depth));
+  bores.variance = static_cast<float>(variance);
+  bores.waveNumber = static_cast<float>(waveNumber);
+  bores.fade = static_cast<float>(1.0 / (turnsPerSecond * lifetime));
+  bores.shown = static_cast<float>(std::clamp(2.5 * share - 0.75, 0.0, 1.0));
+  return bores;
+}
+
+/// Foam at a phase behind the toe of a roller of some length, both rad.
+float foamBehind(float phase, float roller, float fade) {
+  if (phase < roller) return rollerCover * std::min(phase / toeEdge, 1.0f);
+  return leftCover * std::exp((roller - phase) * fade);
+}
+
+/// Its mean over a wave.
+float meanFoam(float fade) {
+  const float left = leftCover / fade * (1.0f - std::exp((leastRoller - turn) * fade));
+  return (rollerCover * leastRoller + left) / turn;
+}
+
+/// Foam of a wave that `part` of all waves break like, where still water is `depth` deep. `slope`
+/// along the waves' direction.
+float boreFoam(const Bores& bores, float part, float depth, float height, float slope) {
+  const float across = slope / bores.waveNumber;
+  const float square = height * height + across * across;          // of the amplitude
+  const float higher = std::exp(-0.5f * square / bores.variance);  // part of all waves
+  const float breaks = std::clamp((1.25f * part - higher) / (0.5f * part), 0.0f, 1.0f);
+  if (breaks <= 0.0f) return 0.0f;
+  const float waveHeight = 2.0f * std::sqrt(square);
+  const float water = std::clamp((depth + height) / std::max(waveHeight, 1e-3f), 0.0f, 1.0f);
+  const float roller =
+      std::clamp(heightsLong * waveHeight * water * bores.waveNumber, leastRoller, 0.8f);
+  float behind = toe - std::atan2(-across, height);
+  if (behind < 0.0f) behind += turn;
+  return breaks * std::sqrt(water) * foamBehind(behind, roller, bores.fade);
+}
+
 }  // namespace
 
 Surf::Surf(std::shared_ptr<const TerrainMap> terrain, const WaveField& waves)
     : terrain_(std::move(terrain)),
       allBreak_(waves.significantWaveHeight() / (std::sqrt(2.0) * breakerIndex)),
-      deepest_(allBreak_ * std::pow(255.0, 0.25)),
-      perHeight_(static_cast<float>(0.25 / waves.standardDeviation())) {}
+      deepest_(allBreak_ * std::pow(255.0, 0.25)) {
+  double wavelengths = 0.0;
+  glm::dvec2 towards(0.0);
+  for (const Octave& octave : waves.octaves()) {
+    const double square = octave.standardDeviation * octave.standardDeviation;
+    wavelengths += square * dominantWavelength(octave);
+    towards += square * unitVector(octave.toward);
+  }
+  const double variance = std::pow(waves.standardDeviation(), 2);
+  if (variance > 0.0) shortest_ = 0.5 * wavelengths / variance;
+  if (glm::length(towards) > 1e-6 * variance) towards_ = glm::normalize(towards);
+}
 
 double Surf::breaking(double depth) const {
   if (depth <= allBreak_) return 1.0;
@@ -40,12 +122,26 @@ bool Surf::addTo(const SurfaceAtTime& water, std::span<const double> x, std::spa
     any = any || part[i] > 0.0f;
   }
   if (!any) return false;
-  std::array<float, gridChunk> height;
-  water.waves().sample(
-      x, y, {.height = std::span(height).first(x.size()), .slopeX = {}, .slopeY = {}, .rate = {}},
-      {.shortestWavelength = keptWavelength, .derivatives = false});
+  const double shortest = std::max(shortest_, keptWavelength);
+  const Bores bores = boresOf(water.waves().field(), shortest, towards_);
+  std::array<float, gridChunk> height, slopeX, slopeY;
+  const auto first = [&](auto& array) { return std::span(array).first(x.size()); };
+  if (bores.shown > 0.0f) {
+    water.waves().sample(
+        x, y,
+        {.height = first(height), .slopeX = first(slopeX), .slopeY = first(slopeY), .rate = {}},
+        {.shortestWavelength = shortest});
+  }
+  const glm::vec2 towards(towards_);
+  const float mean = meanFoam(boresOf(water.waves().field(), shortest_, towards_).fade);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const float white = part[i] * std::clamp(0.5f + height[i] * perHeight_, 0.0f, 1.0f);
+    if (part[i] <= 0.0f) continue;
+    float white = part[i] * mean;
+    if (bores.shown > 0.0f) {
+      const float slope = towards.x * slopeX[i] + towards.y * slopeY[i];
+      const float depth = static_cast<float>(-terrain_->heightAt({x[i], y[i]}));
+      white = glm::mix(white, boreFoam(bores, part[i], depth, height[i], slope), bores.shown);
+    }
     foam[i] += (1.0f - foam[i]) * white;
   }
   return true;

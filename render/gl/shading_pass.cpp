@@ -80,6 +80,7 @@ void setWater(const GlProgram& program, const ShadingConstants& c) {
   program.set("ripplesAreOn", c.ripplesAreOn ? 1 : 0);
   program.set("rippleDeviation", c.rippleDeviation);
   program.set("hairSlope", c.hairSlope);
+  program.set("waveLean", c.waveLean);
   program.set("rippleLastLevel", c.rippleLastLevel);
   for (int i = 0; i < 4; ++i) {
     program.set(element("rippleFromWorld", i).c_str(), c.rippleFromWorld[i]);

@@ -24,6 +24,7 @@ uniform vec3 lampPlace[16], lampLight[16];
 uniform float lampWidth[16], lampShines[16];
 uniform vec3 waterExtinction, deepWater, veil, crestSky, crestSun;
 uniform float crestScale, rippleDeviation, hairSlope, rippleLastLevel;
+uniform vec2 waveLean;
 uniform vec2 rippleFromWorld[4];
 uniform vec2 rippleOrigin[2], rippleAlong[2];
 uniform float rippleTexelsPerMetre[2];

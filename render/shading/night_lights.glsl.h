@@ -25,8 +25,8 @@ SHADER Real3 lampsSeen(Real3 direction, Real distance) {
 }
 
 // Their glitter on the water.
-SHADER Real3 lampGlitter(Real3 relative, Real3 toViewer, Real2 slope, Real variance, Real rootFacing,
-                         Real spread) {
+SHADER Real3 lampGlitter(Real3 relative, Real3 toViewer, Real2 slope, Real waves, Real fine,
+                         Real rootFacing, Real ripples) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
   for (int i = 0; i < lampCount; ++i) {
     Real3 offset = Real3(lampPlace[i]) - relative;
@@ -34,7 +34,7 @@ SHADER Real3 lampGlitter(Real3 relative, Real3 toViewer, Real2 slope, Real varia
     Real3 toLight = offset * inversesqrt(squared);
     Real height = max(toLight.z, 0.0f);
     Real lit = min(height / max(roughArea(sqrt(height), Real(seaDeviation)), 1e-3f), 1.0f);
-    Real strength = mirroredLight(toViewer, toLight, lit, slope, variance, rootFacing, spread);
+    Real strength = mirroredLight(toViewer, toLight, lit, slope, waves, fine, rootFacing, ripples);
     strength = choose(toLight.z > 0.0f, strength / squared, Real(0.0f));
     light = light + Real3(lampLight[i]) * strength;
   }

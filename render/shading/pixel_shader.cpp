@@ -358,9 +358,10 @@ void SlopesSeen(const ShadingSources& sources, const PixelSpan& span, glm::vec4*
     const Real distance = sqrt(dot(relative, relative));
     Real2 slope(hn::Load(f, span.slopeX + i), hn::Load(f, span.slopeY + i));
     const Real footprint = shader.footprintOn(-relative / distance, distance, slope);
-    Real rippled;
-    const Real rough = shader.seenSlope(relative, footprint, hn::Load(f, span.missingSlope + i),
-                                        Real3(0.0f, 0.0f, 0.0f), slope, rippled);
+    Real waves = hn::Load(f, span.missingSlope + i), rippled;
+    const Real finer =
+        shader.seenSlope(relative, footprint, Real3(0.0f, 0.0f, 0.0f), slope, waves, rippled);
+    const Real rough = waves + finer;
     hn::StoreInterleaved4(slope.x.v, slope.y.v, rough.v, hn::Zero(f), f, &to[i].x);
   }
 }

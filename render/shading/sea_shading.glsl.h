@@ -19,12 +19,6 @@ SHADER Real3 blurredSky(Real3 direction, Real level) {
   return skyTexel(dome, level);
 }
 
-// Horizontal unit vector; shorter towards the vertical, where there is no such direction.
-SHADER Real2 levelDirection(Real3 direction) {
-  Real2 level = Real2(direction.x, direction.y);
-  return level * inversesqrt(max(dot(level, level), 0.04f * dot(direction, direction)));
-}
-
 // Sky just above the horizon: skyRadiance of atmosphere.glsl.h with all that does not depend on
 // the direction worked out.
 SHADER Real3 horizonSky(Real3 direction) {
@@ -337,13 +331,15 @@ SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
   return mix(cover, lace, kept);
 }
 
-// Adds to the waves' slope what is finer; returned is the mean-square slope that the pixel cannot
-// show. `rippled`: mean square of the ripples in the slope.
-SHADER Real seenSlope(Real3 relative, Real footprint, Real missingSlope, Real3 cover,
-                      INOUT(Real2) slope, INOUT(Real) rippled) {
+// Adds to the waves' slope what is finer; returned is the mean-square slope of what is finer that the
+// pixel cannot show. `waves`: that of waves, the missing ones as they come. `rippled`: that of the
+// ripples in the slope.
+SHADER Real seenSlope(Real3 relative, Real footprint, Real3 cover, INOUT(Real2) slope,
+                      INOUT(Real) waves, INOUT(Real) rippled) {
   // Smooth water lacks short waves, in slopes as in samples.
   Real calm = (1.0f - 0.9f * cover.y) * (1.0f - 0.9f * cover.z);
-  Real meanSquare = (missingSlope + hairSlope) * calm * calm;
+  waves = waves * calm * calm;
+  Real meanSquare = hairSlope * calm * calm;
   rippled = Real(0.0f);
   if (ripplesAreOn) {
     Real left = addRipples(relative, footprint, calm, slope);
@@ -377,16 +373,17 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   Real2 slope = waveSlope;
   Real footprint = footprintOn(toViewer, distance, slope);
   Real rippled = Real(0.0f);
-  Real meanSquare = seenSlope(relative, footprint, missingSlope, cover, slope, rippled);
+  Real waves = missingSlope;
+  Real finer = seenSlope(relative, footprint, cover, slope, waves, rippled);
   Real2 ripples = slope - waveSlope;
-  if (rainIsOn) meanSquare = meanSquare + addRain(relative, footprint, slope);
+  if (rainIsOn) finer = finer + addRain(relative, footprint, slope);
   // Where the mean slope faces away, what is seen are facets that do not.
   Real2 towards = levelDirection(toViewer);
   Real facing = toViewer.z - slope.x * toViewer.x - slope.y * toViewer.y;
   Real level = sqrt(max(1.0f - toViewer.z * toViewer.z, 0.01f));
   if (backFacesAreTilted) slope = slope + towards * (min(facing, 0.0f) / level);
   Real upright = inversesqrt(1.0f + dot(slope, slope));
-  Real variance = 0.5f * meanSquare;  // along one axis
+  Real variance = unseenAlong(waves, towards) + 0.5f * finer;  // along the view
   Real cosine = max(max(facing, 0.0f) * upright, 0.0f);
   Real rootCosine = sqrt(cosine);
   Real deviation = sqrt(variance);
@@ -425,14 +422,14 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   Real3 colour = mix(fromBelow, sky, mirror);
   Real drawn = toViewer.z - waveSlope.x * toViewer.x - waveSlope.y * toViewer.y;
   Real rootFacing = sqrt(max(drawn, 0.0f) * inversesqrt(1.0f + dot(waveSlope, waveSlope)));
-  Real spread = sqrt(variance + 0.5f * rippled);
   if (sunIsOn) {
     Real mirroredSun = mirroredLight(toViewer, Real3(sunDirection), Real(sunlitFacets), slope,
-                                     variance, rootFacing, spread);
+                                     waves, 0.5f * finer, rootFacing, 0.5f * rippled);
     colour = colour + Real3(sunLight) * (mirroredSun * open * sunlit);
   }
   if (lampCount > 0) {
-    colour = colour + lampGlitter(relative, toViewer, slope, variance, rootFacing, spread) * open;
+    colour = colour + lampGlitter(relative, toViewer, slope, waves, 0.5f * finer, rootFacing,
+                                  0.5f * rippled) * open;
   }
   if (anyOf(white > 0.0f)) {
     Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
@@ -480,7 +477,7 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
   // Light that has come down through the water, the way of the sun's. From below the surface mirrors
-  // 48 % of what goes up back to it, again and again (Lee et al. 1999 have as much).
+  // 48 % of diffuse light back to it, again and again: 1 − (1 − 0.068)/1.34², by what it mirrors above.
   Real3 clear = leftInWater(depth * (1.0f / sunInWater.z));
   Real3 colour = reflectance * light * clear /
                  (Real3(1.0f, 1.0f, 1.0f) - reflectance * clear * (0.48f * wetted));

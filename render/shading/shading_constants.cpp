@@ -103,6 +103,7 @@ void setTerms(ShadingConstants& c, const View& view) {
 
 void setRipples(ShadingConstants& c, const View& view) {
   const Ripples ripples = ripplesFor(view.water->waves(), view.light.windSpeed);
+  c.waveLean = glm::vec2(BandLimit(view.water->waves()).lean());
   c.ripplesAreOn = ripples.layerSlope > 0.0;
   const double slope = BandLimit(view.water->waves()).totalSlope() + 2.0 * ripples.layerSlope +
                        ripples.hairSlope;

@@ -96,6 +96,9 @@ struct ShadingConstants {
   glm::vec2 shadowLeast[mostShadowMaps]{}, shadowSize[mostShadowMaps]{};
   float shadowTexel[mostShadowMaps]{}, shadowRow[mostShadowMaps]{};
   glm::vec3 sunPartBelow{0.0f};  ///< part of deepWater that is the sun's
+  /// Of the waves' slopes, over their mean square: (mean square along x less that along y, twice
+  /// their mean product); a length of 1 is waves of one direction, 0 of all alike.
+  glm::vec2 waveLean{0.0f};
   bool ripplesAreOn = false;
   float rippleDeviation = 0.0f;   ///< of slope, of each layer
   float hairSlope = 0.0f;         ///< mean-square slope of what is finer than ripples

@@ -97,8 +97,7 @@ Scene sceneFor(const SoakOptions& options) {
   if (scene.run.duration < options.settled + options.every) {
     throw InputError(
         fmt::format("--hours: {} s in all is not allowed; memory is to settle for {} s and then to "
-                    "be read once "
-                    "more after {} s (--settled, --every)",
+                    "be read once more after {} s (--settled, --every)",
                     scene.run.duration, options.settled, options.every));
   }
   return scene;

@@ -88,8 +88,7 @@ void warnOfSteepness(const WaveField& field, const Scene& scene) {
   if (!(steepness > limitingSteepness(period))) return;
   spdlog::warn(
       "{}: waves of H_m0 {:.3g} m and T_m02 {:.3g} s are steeper than seas get before they break: "
-      "1/{:.1f}, "
-      "where 1/{:.1f} is the limit",
+      "1/{:.1f}, where 1/{:.1f} is the limit",
       scene.file.string(), field.significantWaveHeight(), period, 1.0 / steepness,
       1.0 / limitingSteepness(period));
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "tests/render/seas.h"
 
 namespace seaway::render {
@@ -32,6 +34,27 @@ TEST(BandLimit, MissingSlopeGrowsWithoutJumpsAsTheGridCoarsens) {
     EXPECT_LE(missing, before + 0.03 * limit.totalSlope()) << spacing;
     before = missing;
   }
+}
+
+TEST(BandLimit, LeanIsThatOfTheSlopesSampled) {
+  const WaterSurface water = test::groupSea(0.5, 3.5);
+  glm::dvec2 sum(0.0);
+  double squares = 0.0;
+  for (int i = 0; i < 40000; ++i) {
+    const glm::dvec2 s = water.at(0.37 * i).waves().sample({61.7 * i, 43.1 * (i % 211)}).slope;
+    sum += glm::dvec2(s.x * s.x - s.y * s.y, 2.0 * s.x * s.y);
+    squares += glm::dot(s, s);
+  }
+  // Waves of 40 000 places are independent: 1 % of sampling error.
+  EXPECT_LT(glm::length(sum / squares - BandLimit(water.waves()).lean()), 0.03);
+}
+
+TEST(BandLimit, LeanIsOneForOneDirectionAndNoneForAllOrNoWaves) {
+  const WaveField regular({makeRegularWave(0.2, 0.25, 0.7)});
+  const glm::dvec2 lean = BandLimit(regular).lean();
+  EXPECT_LT(glm::length(lean - unitVector(1.4)), 1e-12);
+  EXPECT_EQ(glm::length(BandLimit(test::moderateSea().waves()).lean()), 0.0);  // Perlin octaves
+  EXPECT_EQ(glm::length(BandLimit(test::stillSea().waves()).lean()), 0.0);
 }
 
 }  // namespace

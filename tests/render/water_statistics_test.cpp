@@ -103,8 +103,6 @@ Glitter glitterIn(const WaterPicture& picture, double sunElevation_deg, double f
 
 TEST(WaterStatistics, GlitterIsAsBrightAsSixteenSamplesOfAFinerGridMakeIt) {
   const WaterSurface water = test::groupSea(0.5, 3.5);
-  const double deviation = std::sqrt(0.5 * std::max(coxMunkMeanSquareSlope(View{}.light.windSpeed),
-                                                    BandLimit(water.waves()).totalSlope()));
   struct Band {
     double height, pitch, from, to;
   };
@@ -133,11 +131,8 @@ TEST(WaterStatistics, GlitterIsAsBrightAsSixteenSamplesOfAFinerGridMakeIt) {
       std::printf("%4.0f m, sun %2.0f°, %4.0f to %4.0f m: %.3f against %.3f, %+.1f %%\n",
                   band.height, suns[k], band.from, band.to, coarse[k].mean(), fine[k].mean(),
                   100.0 * (coarse[k].mean() / fine[k].mean() - 1.0));
-      // Its patch: where slopes of two deviations mirror the sun. Beyond, tails of distributions
-      // are compared.
-      const double view = std::atan(band.height / std::sqrt(band.from * band.to));
-      const double tilt = 0.5 * std::abs(radiansFromDegrees(suns[k]) - view);
-      if (std::tan(tilt) > 2.0 * deviation) continue;
+      // Sampling makes 0.3 % of it. Beyond two deviations of slope, a sun of 40°, it holds because
+      // what the coarse grid lacks leans as the waves do: taken as even it would be 10 % too dark.
       EXPECT_NEAR(coarse[k].mean() / fine[k].mean(), 1.0, 0.05);
     }
   }

@@ -26,7 +26,7 @@ double trailStrength(const TrailHull& hull, double speed);
 
 /// Leaves on `foam` and `smooth` what a hull leaves in the water between `from` and `to` s: foam
 /// along its sides and behind it, smoothed water in its path, patchy, both widening as a turbulent
-/// wake does (Milgram et al. 1993: with the fifth root of the distance) by strokes at places that
+/// wake without net momentum does (with the fifth root of the distance) by strokes at places that
 /// the hull has passed a while ago. `poseAt(t)` tells the past as far as 120 s before `from`.
 /// A hull below half a knot leaves nothing. Strokes that a layer refuses are left out.
 void paintTrail(const TrailHull& hull, const std::function<TrailPose(double)>& poseAt, double from,
