@@ -231,8 +231,9 @@ double foamBesideARun(double interval) {
     const double size = run->cover.foam->settings().cellSize;
     const glm::dvec2 centre((static_cast<double>(cell.i) + 0.5) * size,
                             (static_cast<double>(cell.j) + 0.5) * size);
-    largest = std::max(largest, std::abs(shown->cover.foam->coverAt(centre, 10.0) -
-                                         run->cover.foam->coverAt(centre, 10.0)));
+    const double shownThere = shown->cover.foam->coverAt(centre, 10.0);
+    const double runThere = run->cover.foam->coverAt(centre, 10.0);
+    largest = std::max(largest, std::abs(shownThere - runThere));
   });
   EXPECT_GT(cells, 1000u);
   return largest;
