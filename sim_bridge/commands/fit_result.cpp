@@ -72,6 +72,10 @@ Json asJson(const BuoyVerification& verification) {
           {"quantities", std::move(list)}};
 }
 
+bool isTooSteep(const OctaveFitSummary& s) {
+  return averageSteepness(s.hm0Target, s.tm02Target) > limitingSteepness(s.tm02Target);
+}
+
 std::string plusMinus(const Estimate& estimate, double scale = 1.0) {
   return fmt::format("{:.3g} +- {:.2g}", scale * estimate.value, scale * estimate.deviation);
 }
@@ -160,7 +164,7 @@ void writeFitText(const FitResult& result, std::ostream& out) {
   out << fmt::format("H_m0  m   {:>9.3f} {:>9.3f}\n", s.hm0Target, s.hm0Fit);
   out << fmt::format("T_m02 s   {:>9.3f} {:>9.3f}\n", s.tm02Target, s.tm02Fit);
   out << fmt::format("T_p   s   {:>9.3f} {:>9.3f}\n", s.tpTarget, s.tpFit);
-  if (averageSteepness(s.hm0Target, s.tm02Target) > limitingSteepness(s.tm02Target)) {
+  if (isTooSteep(s)) {
     out << fmt::format("steeper than seas get before they break: 1/{:.1f}, limit 1/{:.1f}\n",
                        1.0 / averageSteepness(s.hm0Target, s.tm02Target),
                        1.0 / limitingSteepness(s.tm02Target));
@@ -203,6 +207,9 @@ void writeFitJson(const FitResult& result, std::ostream& out) {
             {"tm02_fit_s", s.tm02Fit},
             {"tp_target_s", s.tpTarget},
             {"tp_fit_s", s.tpFit},
+            {"average_steepness", finite(averageSteepness(s.hm0Target, s.tm02Target))},
+            {"limiting_steepness", finite(limitingSteepness(s.tm02Target))},
+            {"steeper_than_limit", isTooSteep(s)},
             {"residual_l2", finite(s.residualL2)},
             {"residual_grid_l2", s.residualGrid},
             {"wave_number_deviation", s.waveNumberDeviation},

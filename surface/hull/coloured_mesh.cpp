@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <utility>
 
 #include "surface/hull/file_axes.h"
@@ -20,19 +21,20 @@ namespace {
 /// Notes what a file refers to and what of it is not there: readers go on without.
 class NotingFiles final : public Assimp::DefaultIOSystem {
  public:
-  explicit NotingFiles(std::vector<std::string>& missing) : missing_(missing) {}
+  using Names = std::vector<std::string>;
+  explicit NotingFiles(std::shared_ptr<Names> missing) : missing_(std::move(missing)) {}
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     Assimp::IOStream* stream = DefaultIOSystem::Open(file, mode);
     if (stream) {
-      missing_.clear();  // what was looked for elsewhere before
+      missing_->clear();  // what was looked for elsewhere before
     } else {
-      missing_.push_back(file);
+      missing_->push_back(file);
     }
     return stream;
   }
 
  private:
-  std::vector<std::string>& missing_;
+  std::shared_ptr<Names> missing_;
 };
 
 /// Names of materials that stand for none.
@@ -105,8 +107,8 @@ const aiScene* read(Assimp::Importer& importer, const std::filesystem::path& fil
   if (!std::filesystem::is_regular_file(file)) {
     throw InputError(file.string() + ": is no file that can be read");
   }
-  std::vector<std::string> missing;
-  importer.SetIOHandler(new NotingFiles(missing));  // the importer owns it
+  const auto missing = std::make_shared<NotingFiles::Names>();
+  importer.SetIOHandler(new NotingFiles(missing));  // the importer owns it, to its end
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_COLORS | aiComponent_TEXCOORDS);
@@ -114,9 +116,8 @@ const aiScene* read(Assimp::Importer& importer, const std::filesystem::path& fil
       importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_RemoveComponent |
                                            aiProcess_PreTransformVertices);
   const std::string reason = importer.GetErrorString();
-  importer.SetIOHandler(nullptr);
-  if (!missing.empty()) {
-    throw InputError(file.string() + ": refers to a file that is missing: " + missing.front());
+  if (!missing->empty()) {
+    throw InputError(file.string() + ": refers to a file that is missing: " + missing->front());
   }
   if (!scene) throw InputError(file.string() + ": cannot be read as a mesh: " + reason);
   return scene;

@@ -50,12 +50,24 @@ TEST(FitCommand, TellsTargetAndFitOfAFamily) {
   EXPECT_NEAR(fit["hm0_target_m"].get<double>(), 2.5, 1e-9);
   EXPECT_NEAR(fit["hm0_fit_m"].get<double>(), 2.5, 1e-9);
   EXPECT_NEAR(fit["tp_target_s"].get<double>(), 8.0, 0.05);
-  EXPECT_LE(fit["residual_l2"].get<double>(), 0.15);  // promised in the issue
+  EXPECT_LE(fit["residual_l2"].get<double>(), 0.15);  // eight octaves reach 0.13
   for (const char* key : {"tm02_target_s", "tm02_fit_s", "tp_fit_s"}) {
     EXPECT_GT(fit[key].get<double>(), 0.0) << key;
   }
   ASSERT_EQ(fit["octaves"].size(), 8u);
   EXPECT_NEAR(fit["octaves"][0]["toward_deg"].get<double>(), 90.0, 1e-9);
+}
+
+TEST(FitCommand, SaysWhereASeaIsSteeperThanSeasGet) {
+  const TempFolder folder;
+  const auto calm = fitted(folder, {"jonswap:2,8,3.3", "--from-deg", "0"});
+  EXPECT_FALSE(calm["steeper_than_limit"]);
+  EXPECT_LT(calm["average_steepness"], calm["limiting_steepness"]);
+  const auto steep = fitted(folder, {"jonswap:9,8,3.3", "--from-deg", "0"});
+  EXPECT_TRUE(steep["steeper_than_limit"]);
+  EXPECT_GT(steep["average_steepness"], steep["limiting_steepness"]);
+  const auto told = seaway({"fit", "jonswap:9,8,3.3", "--out", (folder / "sea.yaml").string()});
+  EXPECT_NE(told.out.find("steeper than seas get"), std::string::npos) << told.out;
 }
 
 TEST(FitCommand, ChoosesARecordByNumberOrTime) {

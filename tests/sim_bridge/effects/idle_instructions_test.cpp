@@ -9,6 +9,7 @@
 
 #include "surface/effects.h"
 #include "tests/sim_bridge/test_support.h"
+#include "tests/support/valgrind.h"
 
 // Instructions of a step, a batch of samples and a picture, by valgrind: wall time would tell of
 // the machine instead.
@@ -50,7 +51,7 @@ void expectNoMore(const std::map<std::string, double>& counts, const std::string
 }
 
 TEST(IdleInstructions, NoEffectTakesAnyWhereItIsNotCalledForOrSwitchedOff) {
-  if (std::system("valgrind --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no valgrind";
+  if (!test::valgrindCanCount()) GTEST_SKIP() << "no valgrind, or a sanitizer";
   const test::TempFolder folder;
   const auto all = counts(folder.path());
   ASSERT_FALSE(all.empty());

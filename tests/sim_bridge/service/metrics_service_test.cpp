@@ -211,7 +211,8 @@ TEST(MetricsServiceHard, EndsUnderLoadAndWithAClientThatSaysNothing) {
 
 std::string domOf(const std::string& url) {
   const test::TempFolder folder;
-  const std::string command = std::string(SEAWAY_CHROMIUM) +
+  // A browser that waits for a server too slow for its virtual second would never end.
+  const std::string command = "timeout 240 " + std::string(SEAWAY_CHROMIUM) +
                               " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage "
                               "--user-data-dir='" +
                               (folder / "profile").string() +

@@ -69,10 +69,10 @@ TEST(ServedFreeVessels, AreFeltByOthersAndLeaveTheWakeThatARunHas) {
   const double t = 12.0;
   const glm::dvec2 behind(0.0, 20.0);
   served.bringWakes(t, behind);
+  const auto surface = served.sea.surface();  // at once: wakes that nobody asks for are let go of
   const Sea sea = buildSea(served.scene);
   Simulation simulation = Simulation::replayed(served.scene, sea, t);
   simulation.attend({.cameras = {}, .places = {{behind, 1.0, 0}}});
-  const auto surface = served.sea.surface();
   double highest = 0.0, largestDifference = 0.0;
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 place(-20.0 + 0.2 * i, behind.y);
@@ -129,6 +129,7 @@ TEST(ServedFreeVesselsHard, TimeThatGoesBackFarSailsThemAgainFromTheEpochToTheSa
   bringTo(served, 2.0);
   const VesselPose first = poseAt(served, 2.0);
   bringTo(served, 60.0);
+  bringTo(served, 60.0);  // heard of just now, however long it took to sail there
   // Of the host whose clock is behind while the other is about: told, and nothing moves.
   bringTo(served, 2.0);
   EXPECT_TRUE(served.sea.hulls(2.0).at(0).outOfTime);

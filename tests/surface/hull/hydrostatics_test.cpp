@@ -18,7 +18,8 @@ void expectNear(double value, double theory, double relative, const char* what) 
       << what << ": off by " << 100.0 * (value / theory - 1.0) << " %";
 }
 
-/// Largest errors that a mesh of so many triangles may have: of the figures.
+/// Largest errors that a mesh of so many triangles may have. Flat triangles cut off the square of
+/// their edges from a curve: 16 times as many, a 16th of the error.
 struct Resolution {
   std::size_t triangles;
   double error;
