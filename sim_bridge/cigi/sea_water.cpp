@@ -205,7 +205,7 @@ void SeaWater::entitiesAt(std::uint32_t host, double t, std::span<const HostEnti
       if (views_.contains(host)) setCameras(host);
     }
     present.insert(entity.entity);
-    follow(hull->second, t, entity);
+    follow(hull->second, t, entity);  // before the epoch without a trail: HostedTrails
   }
   std::erase_if(hulls_, [&](const auto& entry) {
     const bool gone = entry.first.first == host && !present.contains(entry.first.second);

@@ -43,6 +43,7 @@ class Step : public Arrival {
 ///   Lane lane(const Request&)                              where it is answered
 ///   Outcome answer(const Request&, Response&, const CallWatch&)   throws what faultOf knows
 ///   void ended()                                           the call is over; all of it may go
+///   static bool read(grpc::ByteBuffer&, Request&), where it has that, in place of readMessage
 ///   isForAnybody, where it has that                        needs no token, counts on no meter
 /// and is used by one thread at a time.
 ///
@@ -99,7 +100,7 @@ class CallSlot {
                    "the message has " + std::to_string(received_.Length()) + " bytes; at most " +
                        std::to_string(host_.mostMessageBytes) + " are allowed")));
     }
-    if (!readMessage(received_, request_)) {
+    if (!read()) {
       return refuse(
           std::make_exception_ptr(RpcFault(grpc::StatusCode::INVALID_ARGUMENT, Refusal::malformed,
                                            "the request is no " + request_.GetTypeName())));
@@ -138,6 +139,14 @@ class CallSlot {
   static constexpr bool isForAnybody = requires { Answerer::isForAnybody; };
 
   Derived& derived() { return static_cast<Derived&>(*this); }
+
+  bool read() {
+    if constexpr (requires { Answerer::read(received_, request_); }) {
+      return Answerer::read(received_, request_);
+    } else {
+      return readMessage(received_, request_);
+    }
+  }
 
   void wait(std::chrono::milliseconds time) {
     alarm_.Set(queue_, std::chrono::system_clock::now() + time, &again_);

@@ -1,9 +1,12 @@
 #include "sim_bridge/grpc/point_sampler.h"
 
+#include <google/protobuf/io/coded_stream.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "sim_bridge/grpc/message_codec.h"
 #include "sim_bridge/service/listener_of.h"
 #include "sim_bridge/service/wave_arrays.h"
 #include "surface/constants.h"
@@ -51,6 +54,29 @@ std::span<const Value> spanOf(const google::protobuf::RepeatedField<Value>& list
 }  // namespace
 
 PointSampler::PointSampler(const WaterHost& host) : host_(&host), placer_(host.sea.geodesy()) {}
+
+bool PointSampler::read(grpc::ByteBuffer& bytes, SampleRequest& request) {
+  // What is of a oneof goes when the message is cleared: its lists would grow again, piece by
+  // piece.
+  std::unique_ptr<v1::PlanePoints> plane(request.release_plane());
+  if (!plane) return readMessage(bytes, request);
+  plane->Clear();
+  request.Clear();
+  request.set_allocated_plane(plane.release());
+  {
+    grpc::ProtoBufferReader reader(&bytes);
+    google::protobuf::io::CodedInputStream input(&reader);
+    const bool read = reader.status().ok() && request.MergeFromCodedStream(&input) &&
+                      input.ConsumedEntireMessage();
+    const bool empty =
+        request.has_plane() && request.plane().x_m().empty() && request.plane().y_m().empty();
+    if (read && !empty) {
+      bytes.Clear();
+      return true;
+    }
+  }
+  return readMessage(bytes, request);  // malformed, or perhaps without any points: not even none
+}
 
 Lane PointSampler::laneOf(const SampleRequest& request) {
   return pointsOf(request) <= pieceSize ? Lane::here : Lane::large;
@@ -305,8 +331,9 @@ void PointSampler::samplePlain(const Wanted& wanted, Plane plane, const SurfaceA
   const LargestFaults largest = largestFaults(now, plane.x, plane.y, wanted.options);
   response.set_largest_error_m(largest.error);
   response.set_largest_bound_m(largest.bound);
-  const bool fine = std::all_of(statuses_.begin(), statuses_.end(), [](auto s) { return s == 0; });
-  if (!fine) response.mutable_status()->Add(statuses_.begin(), statuses_.end());
+  std::uint32_t any = 0;  // without a way out of the loop, which a compiler makes vectors of
+  for (const std::uint32_t each : statuses_) any |= each;
+  if (any != 0) response.mutable_status()->Add(statuses_.begin(), statuses_.end());
 }
 
 std::size_t PointSampler::sample(const SampleRequest& request, SampleResponse& response,

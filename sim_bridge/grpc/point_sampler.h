@@ -1,5 +1,7 @@
 #pragma once
 
+#include <grpcpp/support/byte_buffer.h>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -20,6 +22,8 @@ class PointSampler {
   /// `host` must outlive the sampler.
   explicit PointSampler(const WaterHost& host);
 
+  /// As readMessage; the lists of points in the sea plane keep their memory too.
+  static bool read(grpc::ByteBuffer& bytes, v1::SampleRequest& request);
   /// Batches of at most a piece are answered at once.
   static Lane laneOf(const v1::SampleRequest& request);
 

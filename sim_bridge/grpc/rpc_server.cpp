@@ -1,15 +1,16 @@
 #include "sim_bridge/grpc/rpc_server.h"
 
+#include <absl/synchronization/mutex.h>
 #include <grpc/support/log.h>
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "sim_bridge/grpc/address_fault.h"
 #include "sim_bridge/grpc/standard_services.h"
+#include "sim_bridge/grpc/unknown_method.h"
 #include "surface/input_error.h"
 
 namespace seaway::bridge::rpc {
@@ -35,15 +36,18 @@ void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options)
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 1000);
-  // What is somewhat too long is refused, and counted, by us.
-  builder.SetMaxReceiveMessageSize(
-      2 * std::min(options.mostMessageBytes, std::numeric_limits<int>::max() / 2));
+  // What is too long is refused, and counted, by us: gRPC's own limit has the whole message in
+  // memory too before it looks (1.51: 600 MB sent against a limit of 128 MiB, 620 MB more in use),
+  // and says nothing of it to a service.
+  builder.SetMaxReceiveMessageSize(-1);
   builder.SetMaxSendMessageSize(-1);
 }
 
 }  // namespace
 
 void prepareRpcProcess() {
+  // Debian builds Abseil with its checks for deadlocks, which look at each of gRPC's locks.
+  absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
   gpr_set_log_function(logToOurs);
   // The default strategy lets one thread wait for all connections and hand what comes to the
   // others; with this one each thread waits for its own.
@@ -70,6 +74,9 @@ void RpcServer::bind() {
   int port = 0;
   builder.AddListeningPort(options_.address, options_.credentials, &port);
   for (const auto& service : services_) builder.RegisterService(service.get());
+  auto unknown = std::make_unique<UnknownMethod>(host_);
+  builder.RegisterAsyncGenericService(&unknown->service());
+  add(std::move(unknown));
   for (int i = 0; i < std::max(2, coreCount()); ++i) {
     queues_.push_back(builder.AddCompletionQueue());
   }

@@ -18,9 +18,9 @@ struct RpcServerOptions {
   std::string address;  ///< HOST:PORT, [IPV6]:PORT or unix:PATH; port 0: any that is free
   std::shared_ptr<grpc::ServerCredentials> credentials;
   std::string token;  ///< that calls must carry; empty: none
-  /// Of one message from a host. Longer ones are refused with RESOURCE_EXHAUSTED; those of more
-  /// than twice that gRPC refuses by itself before it has all of them, and the meter does not
-  /// count.
+  /// Of one message from a host. Longer ones are refused with RESOURCE_EXHAUSTED when they are
+  /// there: gRPC's own limit has all of a message in memory too before it looks, and what that
+  /// refuses no service hears of and counts.
   int mostMessageBytes = 64 << 20;
   /// How long a thread looks for more after an event before it sleeps, s: waking takes longer than
   /// a small batch. Not on a machine with one core.

@@ -25,6 +25,9 @@ class SampleAnswerer {
   using Request = v1::SampleRequest;
   using Response = v1::SampleResponse;
   explicit SampleAnswerer(const WaterHost& host) : sampler_(host) {}
+  static bool read(grpc::ByteBuffer& bytes, Request& request) {
+    return PointSampler::read(bytes, request);
+  }
   Lane lane(const Request& request) const { return PointSampler::laneOf(request); }
   Outcome answer(const Request& request, Response& response, const CallWatch& watch) {
     return {.points = sampler_.sample(request, response, watch)};

@@ -18,7 +18,8 @@ namespace seaway::bridge {
 /// submitted, whenever those come. For one thread.
 ///
 /// A hull's past of 900 s is kept, and of the last 64 that are gone, so that trails can be left
-/// anew where time goes back. Poses before the epoch leave none.
+/// anew where time goes back. Poses before the epoch leave none, and are
+/// counted.
 class HostedTrails {
  public:
   explicit HostedTrails(std::shared_ptr<const ServedScene> scene) : scene_(std::move(scene)) {}
@@ -30,6 +31,9 @@ class HostedTrails {
   /// Time has gone back to `t`: all is left anew on another detail, and what hulls that are gone
   /// have done after it never happened.
   void begin(double t);
+
+  /// How many poses were before the epoch.
+  std::uint64_t beforeEpoch() const { return beforeEpoch_; }
 
   bool empty() const { return sailed_.empty() && gone_.empty(); }
 
@@ -48,6 +52,7 @@ class HostedTrails {
   std::shared_ptr<const ServedScene> scene_;
   std::map<std::uint32_t, Sailed> sailed_;
   std::deque<Sailed> gone_;
+  std::uint64_t beforeEpoch_ = 0;
 };
 
 }  // namespace seaway::bridge

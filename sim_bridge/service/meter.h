@@ -16,9 +16,9 @@ namespace seaway::bridge {
 /// Why a request was not answered.
 enum class Refusal : std::size_t {
   malformed,      ///< no request at all
-  tooLarge,       ///< more points, or a longer message, than is served
+  tooLarge,       ///< more points, hosts, or a longer message, than is served
   notAuthorised,  ///< no token, or a wrong one
-  notFound,       ///< no such hull, camera, page
+  notFound,       ///< no such hull, camera, page, method
   badValue,       ///< a value that is not allowed
   tooLate,        ///< its deadline had passed
   failed,         ///< a fault of ours

@@ -52,7 +52,11 @@ void addEndpoints(Families& families, const ServiceFigures& figures) {
   for (const EndpointLoad& load : figures.endpoints) {
     families.counter({{"endpoint", load.name}}, load.total.points);
   }
-  families.begin("refused_requests_total", "Requests not answered, by reason", MetricType::Counter);
+  families.begin(
+      "refused_requests_total",
+      "Requests not answered, by reason. Not among them: what is no HTTP/2, and calls with "
+      "headers beyond 8 KiB, which gRPC drops by itself",
+      MetricType::Counter);
   for (const EndpointLoad& load : figures.endpoints) {
     for (std::size_t i = 0; i < load.total.refusals.size(); ++i) {
       families.counter({{"endpoint", load.name}, {"reason", refusalName(static_cast<Refusal>(i))}},
@@ -64,8 +68,11 @@ void addEndpoints(Families& families, const ServiceFigures& figures) {
   for (const EndpointLoad& load : figures.endpoints) {
     families.histogram({{"endpoint", load.name}}, load.total.frames);
   }
-  families.begin("endpoint_events_total", "What an endpoint counts of its own",
-                 MetricType::Counter);
+  families.begin(
+      "endpoint_events_total",
+      "What an endpoint counts of its own; of the sea, poses that leave no trail since they "
+      "are before the epoch",
+      MetricType::Counter);
   for (const Meters::Event& event : figures.events) {
     families.counter({{"endpoint", event.endpoint}, {"event", event.name}}, event.count);
   }

@@ -16,6 +16,7 @@ namespace {
 Refusal refusalOf(seaway_shm_status status) {
   switch (status) {
     case SEAWAY_SHM_TOO_LARGE:
+    case SEAWAY_SHM_NO_SLOT:
       return Refusal::tooLarge;
     case SEAWAY_SHM_BAD_VALUE:
       return Refusal::badValue;

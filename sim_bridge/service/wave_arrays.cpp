@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "sim_bridge/service/side_by_side.h"
+
 namespace seaway::bridge {
 namespace {
 
@@ -130,13 +132,11 @@ LargestFaults largestFaults(const SurfaceAtTime& water, std::span<const double> 
                             std::span<const double> y, const SampleOptions& options) noexcept {
   if (!WaveField::serves({0.0, 0.0}, water.time())) return {};
   // The bound grows with the distance, which grows with its square.
-  double farthest = -1.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  const double farthest = largestOf(x.size(), [&](std::size_t i) {
     const bool served =
         (std::abs(x[i]) <= WaveField::farthest) & (std::abs(y[i]) <= WaveField::farthest);
-    const double square = served ? x[i] * x[i] + y[i] * y[i] : -1.0;
-    farthest = square > farthest ? square : farthest;
-  }
+    return served ? x[i] * x[i] + y[i] * y[i] : -1.0;
+  });
   if (farthest < 0.0) return {};
   const WaveField& field = water.waves().field();
   return {leftOut(field, options), field.bound(std::sqrt(farthest))};

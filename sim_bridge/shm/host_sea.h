@@ -72,6 +72,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void answered(std::size_t points, double seconds) noexcept = 0;
+  /// SEAWAY_SHM_NO_SLOT: a host that says it found none, on trust.
   virtual void refused(seaway_shm_status why) noexcept = 0;
   virtual void pictureSent(double seconds) noexcept = 0;
 };

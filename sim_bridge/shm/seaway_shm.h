@@ -277,8 +277,11 @@ static inline seaway_shm_status seaway_shm_reconnect(seaway_shm_client* client) 
     }
     if (status == SEAWAY_SHM_OK) status = seaway_shm_health(client, 0);
     if (status == SEAWAY_SHM_OK) return status;
-    seaway_shm_close(client);
     left = limit - (seaway_shm_now() - start);
+    if (status == SEAWAY_SHM_NO_SLOT && left <= 0.0) {
+      __atomic_add_fetch(&client->header->turned_away, 1, __ATOMIC_SEQ_CST);
+    }
+    seaway_shm_close(client);
     if ((status != SEAWAY_SHM_NO_SERVER && status != SEAWAY_SHM_NO_SLOT &&
          status != SEAWAY_SHM_SERVER_GONE) ||
         left <= 0.0) {
@@ -422,7 +425,7 @@ static inline seaway_shm_status seaway_shm_remove_hull(seaway_shm_client* client
   return seaway_shm_call(client, &batch);
 }
 
-/* Where hulls are at a time. */
+/* Where hulls are at a time; before the epoch they leave no trail. */
 static inline seaway_shm_status seaway_shm_place_hulls(seaway_shm_client* client, double time,
                                                        const seaway_shm_pose* poses,
                                                        uint32_t count) {

@@ -25,7 +25,8 @@
  * and wakes its sleepers, (4) waits until `served` is that session. Request n = 1, 2, .. is written
  * into cell (n - 1) % cell_count; then `asked` becomes n. The server answers in that order: it
  * writes the cell's answer, then `answered` becomes n. No more than cell_count requests are under
- * way. A host that goes stores session 0 and unlocks. */
+ * way. A host that goes stores session 0 and unlocks. One that finds no slot within its time adds
+ * one to the header's `turned_away`, for the server's metrics alone. */
 #ifndef SEAWAY_SHM_LAYOUT_H
 #define SEAWAY_SHM_LAYOUT_H
 
@@ -122,7 +123,8 @@ typedef struct seaway_shm_header {
   uint32_t state;          /* futex: SEAWAY_SHM_SERVING, .. */
   uint32_t attention;      /* futex: hosts come and go */
   uint32_t pictures_asked; /* futex: of all slots */
-  uint32_t padding[13];
+  uint32_t turned_away;    /* hosts: those that found no free slot add one and go */
+  uint32_t padding[12];
 } seaway_shm_header;
 
 /* 128 bytes. Angles in degrees: heading true, clockwise; all zero where not used. */
@@ -151,7 +153,8 @@ typedef struct seaway_shm_answer {
   char message[SEAWAY_SHM_TEXT]; /* why not, with a final 0; empty where OK */
 } seaway_shm_answer;
 
-/* Where a hull is. 64 bytes. */
+/* Where a hull is. 64 bytes. Poses whose request has a time before the epoch, less than 0, leave no
+ * foam and no smoothed water; the server's metrics count them as events `poses_before_epoch`. */
 typedef struct seaway_shm_pose {
   uint32_t hull;
   uint32_t reserved;

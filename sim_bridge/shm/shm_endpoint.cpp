@@ -2,9 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim_bridge/shm/picture_thread.h"
@@ -14,6 +16,9 @@ namespace seaway::bridge::shm {
 namespace {
 
 constexpr double rounds = 0.25;  // s between looks at slots that nobody called for
+
+/// Of hosts that say they found no slot, counted at one look: any host can write that number.
+constexpr std::uint32_t mostTurnedAway = 1000;
 
 }  // namespace
 
@@ -27,6 +32,7 @@ class ShmEndpoint::Serving {
     }
   }
   ~Serving() {
+    countTurnedAway();
     pictures_.reset();
     for (const auto& worker : workers_) worker->stop();
   }
@@ -39,6 +45,7 @@ class ShmEndpoint::Serving {
   void tend() {
     const std::uint32_t seen = seaway_shm_load(&segment_.header().attention);
     for (const auto& worker : workers_) worker->tend();
+    countTurnedAway();
     seaway_shm_sleep(&segment_.header().attention, seen, rounds);
   }
   void call() {
@@ -48,10 +55,19 @@ class ShmEndpoint::Serving {
   bool sound() const { return segment_.sound(); }
 
  private:
+  void countTurnedAway() {
+    const std::uint32_t said = seaway_shm_load(&segment_.header().turned_away);
+    const std::uint32_t more = std::min(said - std::exchange(turnedAway_, said), mostTurnedAway);
+    for (std::uint32_t i = 0; backing_.observer && i < more; ++i) {
+      backing_.observer->refused(SEAWAY_SHM_NO_SLOT);
+    }
+  }
+
   Segment segment_;
   const Backing& backing_;
   std::vector<std::unique_ptr<SlotWorker>> workers_;
   std::optional<PictureThread> pictures_;
+  std::uint32_t turnedAway_ = 0;
 };
 
 ShmEndpoint::ShmEndpoint(ShmOptions options)

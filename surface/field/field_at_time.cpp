@@ -12,8 +12,7 @@ FieldAtTime::FieldAtTime(const WaveField& field, double t) { moveTo(field, t); }
 void FieldAtTime::moveTo(const WaveField& field, double t) {
   field_ = &field;
   time_ = t;
-  sections_.clear();
-  if (!field.serves({0.0, 0.0}, t)) return;  // no section: `blank` marks every sample
+  if (!field.serves({0.0, 0.0}, t)) return sections_.clear();  // `blank` marks every sample
   sections_.resize(FieldSection::count(field.lists()));
   for (std::size_t s = 0; s < sections_.size(); ++s) sections_[s].prepare(field.lists(), s, t);
 }

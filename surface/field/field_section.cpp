@@ -100,9 +100,12 @@ void fillBlocks(std::array<Block, N>& blocks, std::span<const Octave> octaves, s
   std::size_t next = section * N * octavesPerBlock;
   for (Block& block : blocks) {
     const std::size_t left = octaves.size() - std::min(next, octaves.size());
+    if (left == 0) {
+      block.count = 0;  // where readers stop: the rest may be of another time
+      break;
+    }
     if (left < octavesPerBlock) block = Block{};
     block.count = std::min(octavesPerBlock, left);
-    if (block.count == 0) break;
     for (std::size_t i = 0; i < block.count; ++i) fill(block, i, octaves[next + i], current, t);
     next += octavesPerBlock;
   }

@@ -26,8 +26,10 @@
 // On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds
 // of call in turn with the bare evaluation, so that each has the machine as the others have it.
 // Then N hosts at once: calls a second beside the same evaluation without gRPC on as many cores,
-// and what of the processors the server takes for a call. With --server-cores the server has the
-// first N cores, its hosts the others; --listen: RpcServerOptions::callsListenedFor.
+// what of the processors the server takes for a call, and what the bare library takes: evaluation
+// and that together are the least for any service, hence the highest share that is attainable. With
+// --server-cores the server has the first N cores, its hosts the others; --listen:
+// RpcServerOptions::callsListenedFor.
 namespace {
 
 using namespace seaway;
@@ -202,8 +204,23 @@ void printOneHost(Server& server, Hosts hosts, int rounds, bool all) {
   for (Row& row : rows) print(row.name, row.us, row.evaluates ? median : 0.0);
 }
 
+/// What so many hosts at once do with a server.
+struct Load {
+  double rate;  // calls a second
+  double us;    // of the processors, that this process takes for a call
+};
+
+Load loadOf(Hosts hosts, const std::string& address, bool streaming, const Options& options) {
+  const double before = processorSeconds();
+  const auto begun = Clock::now();
+  const double rate = hosts.rate(address, streaming, options.clients, options.seconds);
+  return {rate, 1e6 * (processorSeconds() - before) / (rate * secondsSince(begun))};
+}
+
 void printManyHosts(Server& server, Hosts hosts, const Options& options) {
   const int cores = rpc::coreCount();
+  const double before = processorSeconds();
+  const auto begun = Clock::now();
   const double bare = rateOf(cores, options.seconds, [&](auto& ending, auto& done) {
     Evaluation evaluation(server.sea, false);
     while (!ending) {
@@ -211,17 +228,26 @@ void printManyHosts(Server& server, Hosts hosts, const Options& options) {
       ++done;
     }
   });
+  const double evaluation = 1e6 * (processorSeconds() - before) / (bare * secondsSince(begun));
   std::printf("%d hosts at once, server on %d cores, hosts on %s\n", options.clients, cores,
               options.serverCores > 0 ? "others" : "the same");
-  std::printf("%-22s %10.0f calls/s %31.1f us of a core\n", "evaluation", bare, 1e6 * cores / bare);
+  std::printf("%-22s %10.0f calls/s %31.1f us of a core\n", "evaluation", bare, evaluation);
+  const bool local = server.rpc.address().starts_with("unix:");
+  const std::string address = local ? path + ".many" : "127.0.0.1:0";
+  EchoServer echo(address, anAnswer(false), cores);
+  const std::string echoing = local ? address : "127.0.0.1:" + std::to_string(echo.port());
   for (const bool streaming : {true, false}) {
-    const double before = processorSeconds();
-    const auto begun = Clock::now();
-    const double rate =
-        hosts.rate(server.rpc.address(), streaming, options.clients, options.seconds);
-    const double each = (processorSeconds() - before) / (rate * secondsSince(begun));
-    std::printf("%-22s %10.0f calls/s, %3.0f %% of evaluation; %8.1f us of a core\n",
-                streaming ? "streams" : "unary", rate, 100.0 * rate / bare, 1e6 * each);
+    const char* kind = streaming ? "streams" : "unary";
+    const Load floor = loadOf(hosts, echoing, streaming, options);
+    std::printf("bare gRPC, %-11s %10.0f calls/s %31.1f us of a core\n", kind, floor.rate,
+                floor.us);
+    const Load served = loadOf(hosts, server.rpc.address(), streaming, options);
+    std::printf("%-22s %10.0f calls/s, %3.0f %% of evaluation; %8.1f us of a core\n", kind,
+                served.rate, 100.0 * served.rate / bare, served.us);
+    // A service that added nothing would take the two together for a call.
+    std::printf("%-22s %17.0f %% of evaluation, of which this is %.0f %%\n", "  at most attainable",
+                100.0 * evaluation / (evaluation + floor.us),
+                100.0 * (evaluation + floor.us) / served.us);
   }
 }
 
@@ -248,6 +274,7 @@ Options optionsOf(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const Options options = optionsOf(argc, argv);
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int toHosts[2], fromHosts[2];
   if (pipe(toHosts) != 0 || pipe(fromHosts) != 0) return 1;
   if (options.serverCores < 0 || options.serverCores >= rpc::coreCount()) {

@@ -7,47 +7,48 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 /// The floor under any gRPC service: gRPC's C++ library alone, by its barest interface. Whatever is
-/// called answers a prepared message, at once, on one thread and one queue.
+/// called answers a prepared message, at once, on a few threads, each with a queue of its own.
 class EchoServer {
  public:
-  EchoServer(const std::string& address, const std::string& answer) {
+  EchoServer(const std::string& address, const std::string& answer, int threads = 1) {
     const grpc::Slice slice(answer);
     answer_ = grpc::ByteBuffer(&slice, 1);
     grpc::ServerBuilder builder;
     builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
     builder.AddListeningPort(address, grpc::InsecureServerCredentials(), &port_);
     builder.RegisterAsyncGenericService(&service_);
-    queue_ = builder.AddCompletionQueue();
+    for (int i = 0; i < threads; ++i) queues_.push_back(builder.AddCompletionQueue());
     server_ = builder.BuildAndStart();
-    (new Call(*this))->listen();
-    thread_ = std::thread([this] {
-      void* tag = nullptr;
-      for (bool ok = false; queue_->Next(&tag, &ok);) static_cast<Call*>(tag)->goOn(ok);
-    });
+    for (const auto& queue : queues_) {
+      (new Call(*this, *queue))->listen();
+      threads_.emplace_back([&queue = *queue] {
+        void* tag = nullptr;
+        for (bool ok = false; queue.Next(&tag, &ok);) static_cast<Call*>(tag)->goOn(ok);
+      });
+    }
   }
   ~EchoServer() {
     ending_ = true;
     server_->Shutdown(std::chrono::system_clock::now());
-    queue_->Shutdown();
-    thread_.join();
+    for (const auto& queue : queues_) queue->Shutdown();
+    for (std::thread& thread : threads_) thread.join();
   }
   int port() const { return port_; }
 
  private:
   class Call {
    public:
-    explicit Call(EchoServer& server) : server_(server), stream_(&context_) {}
-    void listen() {
-      server_.service_.RequestCall(&context_, &stream_, server_.queue_.get(), server_.queue_.get(),
-                                   this);
-    }
+    Call(EchoServer& server, grpc::ServerCompletionQueue& queue)
+        : server_(server), queue_(queue), stream_(&context_) {}
+    void listen() { server_.service_.RequestCall(&context_, &stream_, &queue_, &queue_, this); }
     void goOn(bool ok) {
       switch (next_) {
         case Next::called:
           if (!ok) return delete this;
-          if (!server_.ending_) (new Call(server_))->listen();
+          if (!server_.ending_) (new Call(server_, queue_))->listen();
           return read();
         case Next::read:
           if (!ok) return finish();
@@ -77,6 +78,7 @@ class EchoServer {
       stream_.Finish(grpc::Status::OK, this);
     }
     EchoServer& server_;
+    grpc::ServerCompletionQueue& queue_;
     grpc::GenericServerContext context_;
     grpc::GenericServerAsyncReaderWriter stream_;
     grpc::ByteBuffer request_;
@@ -84,9 +86,9 @@ class EchoServer {
 
   grpc::AsyncGenericService service_;
   grpc::ByteBuffer answer_;
-  std::unique_ptr<grpc::ServerCompletionQueue> queue_;
+  std::vector<std::unique_ptr<grpc::ServerCompletionQueue>> queues_;
   std::unique_ptr<grpc::Server> server_;
   std::atomic<bool> ending_{false};
   int port_ = 0;
-  std::thread thread_;
+  std::vector<std::thread> threads_;
 };

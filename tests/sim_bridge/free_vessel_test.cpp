@@ -12,21 +12,11 @@
 #include "sim_bridge/simulation.h"
 #include "surface/angles.h"
 #include "surface/input_error.h"
+#include "tests/sim_bridge/driven_vessel.h"
 #include "tests/sim_bridge/test_support.h"
 
 namespace seaway::bridge {
 namespace {
-
-const std::string driven = R"(hull:
-  length_m: 12
-  beam_m: 3.0
-  depth_m: 1.8
-  mass_kg: 13131
-  centre_of_gravity_above_keel_m: 0.9
-mesh: {source: "wigley:12,3,0.8,1", triangles: 120, form_drag: 0.2, level: mesh}
-propeller: {diameter_m: 0.6, position_m: [-5, 0, -0.45], most_revolutions_s: 25}
-rudder: {area_m2: 0.35, position_m: [-5.6, 0, -0.4], most_rate_deg_s: 15}
-)";
 
 /// A free launch, from the anchor northwards to a waypoint and then east; others as given. 0.0001°
 /// are 11.1 m.
@@ -52,7 +42,7 @@ const std::string passing =
     "longitude_deg: 0.0002, heading_deg: 0}}\n";
 
 struct Waters {
-  explicit Waters(const std::string& text, const std::string& vessel = driven) {
+  explicit Waters(const std::string& text, const std::string& vessel = test::drivenVessel) {
     const test::TempFolder folder;
     folder.write("driven.yaml", vessel);
     folder.write("launch.yaml", test::vesselText());
@@ -241,7 +231,7 @@ TEST(FreeVessels, AreDrivenByTheWindWhereItHasADirection) {
   std::string text = sceneOf("", "light: {wind: {speed_m_s: 15, from_deg: 270}}\n");
   text.replace(text.find("speed_m_s: 4, waypoints"), 12, "speed_m_s: 0");
   const auto eastAfter = [](const std::string& scene) {
-    Waters waters(scene, driven.substr(0, driven.find("propeller")));
+    Waters waters(scene, test::drivenVessel.substr(0, test::drivenVessel.find("propeller")));
     Simulation simulation = waters.start();
     simulation.stepTo(20.0);
     return simulation.vessels()[0].pose().position.x;
@@ -261,7 +251,7 @@ TEST(FreeVesselsHard, ShoresAndBedsAreTold) {
   const std::string bed = test::inputErrorOf([&] { simulation.stepTo(5.0); });
   EXPECT_NE(bed.find("'pilot' touches the bed"), std::string::npos) << bed;
   test::TempFolder folder;
-  folder.write("driven.yaml", driven);
+  folder.write("driven.yaml", test::drivenVessel);
   folder.write("lake.geojson",
                R"({"type": "Polygon", "coordinates": [[[-0.01, -0.01], [0.01, -0.01],
                [0.01, 0.0002], [-0.01, 0.0002], [-0.01, -0.01]]]})");
@@ -305,10 +295,11 @@ TEST(FreeVesselsHard, WhatCannotMoveFreelyIsRefusedWithItsLine) {
   };
   std::string turning = sceneOf();
   turning.replace(turning.find("speed_m_s: 4"), 12, "speed_m_s: 4, turn_deg_s: 1");
-  EXPECT_NE(fault(turning, driven).find("prescribed motion only"), std::string::npos);
-  const std::string still = fault(sceneOf(), driven.substr(0, driven.find("propeller")));
+  EXPECT_NE(fault(turning, test::drivenVessel).find("prescribed motion only"), std::string::npos);
+  const std::string still =
+      fault(sceneOf(), test::drivenVessel.substr(0, test::drivenVessel.find("propeller")));
   EXPECT_NE(still.find("no propeller and rudder"), std::string::npos) << still;
-  std::string missing = driven;
+  std::string missing = test::drivenVessel;
   missing.replace(missing.find("wigley:12,3,0.8,1"), 17, "missing.stl");
   const std::string mesh = fault(sceneOf(), missing);
   EXPECT_NE(mesh.find("missing.stl"), std::string::npos) << mesh;

@@ -3,23 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/sim_bridge/driven_vessel.h"
 #include "tests/sim_bridge/test_support.h"
 
 namespace seaway::bridge::test {
 namespace {
 
 using Json = nlohmann::json;
-
-const std::string driven = R"(hull:
-  length_m: 12
-  beam_m: 3.0
-  depth_m: 1.8
-  mass_kg: 13131
-  centre_of_gravity_above_keel_m: 0.9
-mesh: {source: "wigley:12,3,0.8,1", triangles: 120, form_drag: 0.2, level: mesh}
-propeller: {diameter_m: 0.6, position_m: [-5, 0, -0.45], most_revolutions_s: 25}
-rudder: {area_m2: 0.35, position_m: [-5.6, 0, -0.4], most_rate_deg_s: 15}
-)";
 
 std::string scene(const std::string& waypoints) {
   return sceneText(
@@ -28,7 +18,7 @@ std::string scene(const std::string& waypoints) {
 
 TEST(SailCommand, SailsUnderItsOwnPowerAndWritesItsVoyage) {
   const TempFolder folder;
-  folder.write("launch.yaml", driven);
+  folder.write("launch.yaml", drivenVessel);
   const auto file =
       folder.write("scene.yaml", scene("[{latitude_deg: 28.879, longitude_deg: -78.4665}]"));
   const auto out = (folder / "out").string();
@@ -59,7 +49,7 @@ TEST(SailCommandHard, WhatCannotSailIsRefusedWithItsReason) {
   const Outcome undriven = seaway({"sail", file.string(), "--out", (folder / "o").string()});
   EXPECT_EQ(undriven.status, 2);
   EXPECT_NE(undriven.err.find("no propeller and rudder"), std::string::npos) << undriven.err;
-  folder.write("launch.yaml", driven);
+  folder.write("launch.yaml", drivenVessel);
   const Outcome unknown = seaway({"sail", file.string(), "--vessel", "dinghy"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("must be one of: launch"), std::string::npos) << unknown.err;
@@ -67,8 +57,8 @@ TEST(SailCommandHard, WhatCannotSailIsRefusedWithItsReason) {
   const Outcome range = seaway({"sail", far.string()});
   EXPECT_EQ(range.status, 2);
   EXPECT_NE(range.err.find("waypoints"), std::string::npos) << range.err;
-  folder.write("launch.yaml", driven + "");
-  std::string missing = driven;
+  folder.write("launch.yaml", drivenVessel);
+  std::string missing = drivenVessel;
   missing.replace(missing.find("wigley:12,3,0.8,1"), 17, "missing.stl");
   folder.write("launch.yaml", missing);
   const Outcome hull = seaway({"sail", file.string(), "--out", (folder / "o").string()});

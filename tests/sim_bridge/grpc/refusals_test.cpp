@@ -1,9 +1,11 @@
+#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <map>
 
+#include "tests/sim_bridge/grpc/raw_host.h"
 #include "tests/sim_bridge/grpc/served_waves.h"
 
 // Whatever is refused is counted, once and by its reason.
@@ -12,6 +14,7 @@ namespace {
 
 using namespace v1;
 using test::Context;
+using test::expectServed;
 using test::planeRequest;
 using test::ServedWater;
 using test::ServedWaves;
@@ -206,6 +209,61 @@ TEST(RefusalsGrpcHard, CallsWithoutATokenAreCounted) {
                     {{"token", Refusal::notAuthorised,
                       [&] { EXPECT_EQ(call(false, 60000), grpc::StatusCode::UNAUTHENTICATED); }}});
   EXPECT_EQ(call(true, 60000), grpc::StatusCode::OK);
+}
+
+/// A call by name of a method that nobody here has a stub for.
+grpc::Status called(grpc::GenericStub& stub, const std::string& method) {
+  Context context;
+  grpc::CompletionQueue queue;
+  grpc::ByteBuffer response;
+  grpc::Status status;
+  const auto call = stub.PrepareUnaryCall(&context, method, grpc::ByteBuffer(), &queue);
+  call->StartCall();
+  call->Finish(&response, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  EXPECT_TRUE(queue.Next(&tag, &ok));
+  return status;
+}
+
+TEST(RefusalsGrpcHard, CallsOfUnknownMethodsAndServicesAreCounted) {
+  ServedWater water;
+  grpc::GenericStub stub(water.channel());
+  std::vector<Refused> all;
+  for (const char* method : {"/seaway.v1.Water/Boil", "/seaway.v2.Water/Sample", "/nobody/here",
+                             "/grpc.health.v1.Health/Cure"}) {
+    all.push_back({method, Refusal::notFound, [&stub, method] {
+                     const grpc::Status status = called(stub, method);
+                     EXPECT_EQ(status.error_code(), grpc::StatusCode::UNIMPLEMENTED);
+                     EXPECT_NE(status.error_message().find(method), std::string::npos);
+                   }});
+  }
+  all.push_back({"another service of ours", Refusal::notFound, [&] {
+                   Context context;
+                   const auto waves = Waves::NewStub(water.channel());
+                   XYZTGrid answer;
+                   const auto status = waves->elevations(&context, XYTGrid(), &answer);
+                   EXPECT_EQ(status.error_code(), grpc::StatusCode::UNIMPLEMENTED);
+                 }});
+  // More than are listened for at once.
+  for (int round = 0; round < 40; ++round) expectEachCounted(water.meter(), all);
+  expectServed(water);
+}
+
+// Far beyond what gRPC's own limit is by default, 4 MiB.
+TEST(RefusalsGrpcHard, MessagesOfAnyLengthBeyondTheLimitAreCounted) {
+  rpc::RpcServerOptions options;
+  options.mostMessageBytes = messageLimit;
+  ServedWater water(test::wakelessText(), {}, options);
+  Asker ask(water);
+  std::vector<Refused> all;
+  for (const std::size_t points : {5000u, 10000u, 2'000'000u}) {
+    const auto tooLong = [points](auto& r) { r = planeRequest(0.0, points); };
+    all.push_back({"alone", Refusal::tooLarge, ask.sample(tooLong)});
+    all.push_back({"on a stream", Refusal::tooLarge, ask.sampleStream(tooLong)});
+  }
+  expectEachCounted(water.meter(), all);
+  expectServed(water);
 }
 
 TEST(RefusalsXdynHard, EveryOneIsCountedByItsReason) {

@@ -105,6 +105,40 @@ TEST(WaterGrpcHard, RandomBytesAsMessagesNeverCrash) {
   expectServed(water);
 }
 
+// A stream's memory is used again: each answer is a new server's.
+TEST(WaterGrpcHard, ARequestIsReadAsIfThereHadBeenNoneBefore) {
+  SampleRequest nowhere, geodetic, tolerant = planeRequest(2.0, 7);
+  nowhere.set_time_s(1.0);
+  nowhere.mutable_plane();
+  geodetic.set_time_s(1.0);
+  geodetic.mutable_geodetic()->add_latitude_deg(28.878);
+  geodetic.mutable_geodetic()->add_longitude_deg(-78.467);
+  tolerant.set_tolerance_m(0.1);
+  tolerant.set_id(9);
+  tolerant.add_quantities(QUANTITY_SLOPE);
+  // No trail either, which comes when it has been asked for.
+  const std::string sea = test::sceneText({{"run:", "effects: {wake: off, trail: off}\nrun:"}});
+  ServedWater water(sea);
+  Context context;
+  const auto stream = water.stub()->SampleStream(&context);
+  for (const SampleRequest& request :
+       {planeRequest(1.0, 3000), tolerant, planeRequest(1.0, 5), nowhere, geodetic,
+        planeRequest(3.0, 2), tolerant, nowhere, tolerant}) {
+    SampleResponse given, expected;
+    ASSERT_TRUE(stream->Write(request) && stream->Read(&given));
+    ServedWater anew(sea);
+    Context once;
+    ASSERT_TRUE(anew.stub()->Sample(&once, request, &expected).ok());
+    EXPECT_EQ(given.SerializeAsString(), expected.SerializeAsString());
+  }
+  SampleRequest without;
+  without.set_time_s(1.0);
+  SampleResponse none;
+  stream->Write(without);
+  EXPECT_FALSE(stream->Read(&none)) << "the points of before are not this one's";
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+}
+
 TEST(WaterGrpcHard, AMillionPointsAreRefusedWithTheLimit) {
   ServedWater water;
   const SampleRequest request = planeRequest(1.0, 1'000'000);

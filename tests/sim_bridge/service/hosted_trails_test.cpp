@@ -125,6 +125,21 @@ TEST(HostedTrailsHard, LeapsLeaveNoneAndOldPosesBeforeTheEpochNeither) {
   EXPECT_EQ(served.sea.surface()->extras().detail, nullptr);
 }
 
+TEST(HostedTrailsHard, PosesBeforeTheEpochAreCountedAndTheTrailBeginsThere) {
+  ServedWaters served(pilotScene(noWakes, "0"));
+  const std::uint32_t hull = served.sea.addHull(0);
+  sail(served, hull, 20.0, -6.0, 6.0);
+  EXPECT_FALSE(served.sea.place(hull, -1e300, served.poseAt({0.0, 0.0})));
+  served.bringWakes(6.0, {20.0, 30.0});
+  const auto events = served.sea.meters().readEvents();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].endpoint + "." + events[0].name, "sea.poses_before_epoch");
+  EXPECT_EQ(events[0].count, 60u) << "the one that was refused is none";
+  // It passed y = 30 m at the epoch; strokes reach half its length of 12 m farther back.
+  EXPECT_EQ(foamAcross(served, 20.0, 15.0, 6.0), 0.0);
+  EXPECT_GT(foamAcross(served, 20.0, 45.0, 6.0), 0.2);
+}
+
 TEST(HostedTrailsHard, AHostThatBeginsAgainLeavesItsTrailAgain) {
   ServedWaters served(pilotScene(noWakes, "0"));
   const std::uint32_t hull = served.sea.addHull(0);

@@ -214,27 +214,41 @@ TEST(ServedFreeVessels, PicturesAreOfTheVesselWhereItHasSailed) {
   EXPECT_EQ(bow->colour.size, glm::ivec2(64, 48));
 }
 
-TEST(ServedFreeVessels, LeaveTheTrailThatARunHas) {
+/// The largest difference of foam at 10 s from a run's, where the service is asked for times
+/// `interval` s apart.
+double foamBesideARun(double interval) {
   ServedWaters served(freeScene("effects: {wake: off}\n"));
   const Sea sea = buildSea(served.scene);
   Simulation simulation(served.scene, sea);
   simulation.stepTo(10.0);
-  bringTo(served, 10.0);
+  for (double t = interval; t <= 10.0; t += interval) bringTo(served, t);
   const auto run = simulation.surface().extras().detail;
   const auto shown = served.sea.surface()->extras().detail;
-  ASSERT_TRUE(run && shown && run->cover.foam && shown->cover.foam);
+  if (!run || !shown || !run->cover.foam || !shown->cover.foam) return 1.0;
   std::size_t cells = 0;
+  double largest = 0.0;
   run->cover.foam->visit(10.0, [&](const SurfaceLayer::Cell& cell) {
     ++cells;
     const double size = run->cover.foam->settings().cellSize;
     const glm::dvec2 centre((static_cast<double>(cell.i) + 0.5) * size,
                             (static_cast<double>(cell.j) + 0.5) * size);
-    // Of strokes that are painted later the places between those of the track, 0.1 s apart, are
-    // interpolated: within a millimetre or so, at edges on which cover rises to 0.9 in 0.1 m.
-    EXPECT_NEAR(shown->cover.foam->coverAt(centre, 10.0), run->cover.foam->coverAt(centre, 10.0),
-                0.01);
+    const double shownThere = shown->cover.foam->coverAt(centre, 10.0);
+    const double runThere = run->cover.foam->coverAt(centre, 10.0);
+    largest = std::max(largest, std::abs(shownThere - runThere));
   });
   EXPECT_GT(cells, 1000u);
+  return largest;
+}
+
+TEST(ServedFreeVessels, LeaveTheTrailOfARunToTheBitWhereTheyAreAskedForAtEachStroke) {
+  EXPECT_EQ(foamBesideARun(0.25), 0.0);
+}
+
+// A run paints a stroke of 0.25 s as it ends. Painted later, its last 0.05 s are interpolated
+// between kept places 0.1 s apart: 0.07 mm and 1e-4 rad away, in this scene, on edges where cover
+// rises by 0.9 in 0.1 m. Nothing else differs: measured 1.45e-3, in two cells of 33567 above 1e-3.
+TEST(ServedFreeVessels, LeaveTheTrailOfARunWithinTwoThousandthsWhereTheyAreAskedForLater) {
+  EXPECT_LT(foamBesideARun(10.0), 2e-3);
 }
 
 }  // namespace

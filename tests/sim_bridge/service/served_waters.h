@@ -5,6 +5,7 @@
 
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/service/served_sea.h"
+#include "tests/sim_bridge/driven_vessel.h"
 #include "tests/sim_bridge/test_support.h"
 
 namespace seaway::bridge::test {
@@ -34,18 +35,6 @@ inline const std::string oilAndRipples =
     "layers: [{kind: oil, place: {latitude_deg: 0.0008, longitude_deg: 0}, radius_m: 8, "
     "cover: 0.9}]\n"
     "ripples: [{place: {latitude_deg: 0.0004, longitude_deg: 0.0004}, height_m: 0.05}]\n";
-
-/// A hull of 120 triangles with a propeller and a rudder.
-inline const std::string drivenVessel = R"(hull:
-  length_m: 12
-  beam_m: 3.0
-  depth_m: 1.8
-  mass_kg: 13131
-  centre_of_gravity_above_keel_m: 0.9
-mesh: {source: "wigley:12,3,0.8,1", triangles: 120, form_drag: 0.2, level: mesh}
-propeller: {diameter_m: 0.6, position_m: [-5, 0, -0.45], most_revolutions_s: 25}
-rudder: {area_m2: 0.35, position_m: [-5.6, 0, -0.4], most_rate_deg_s: 15}
-)";
 
 /// A free launch that steers north from the origin and then east, another moored abeam of its way.
 inline std::string freeScene(const std::string& more = "", const std::string& depth = "") {

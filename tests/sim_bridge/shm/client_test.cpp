@@ -231,6 +231,9 @@ TEST_F(ShmClientHard, MoreHostsThanSlotsAreToldAndServedWhenOneLeaves) {
   seaway_shm_options options = seaway_shm_default_options();
   options.connect_timeout = 0.1;
   EXPECT_EQ(statusOf([&] { Client fifth(name_, options); }), SEAWAY_SHM_NO_SLOT);
+  // By the server's next look; once, though the client looked for a slot many times.
+  EXPECT_TRUE(comesTrue([&] { return sea_.refusals == 1; }));
+  EXPECT_EQ(sea_.lastRefusal, SEAWAY_SHM_NO_SLOT);
   std::thread leaving([&] {
     usleep(50000);
     clients.pop_back();

@@ -96,6 +96,16 @@ TEST_F(ShmHostileHard, ARingThatRunsAheadIsRefusedAndTheSlotServesTheNextHost) {
   expectServed(hostile, 2.0);
 }
 
+TEST_F(ShmHostileHard, ANumberOfHostsTurnedAwayThatCannotBeIsCountedInPartAndServesOn) {
+  Client hostile(name_), other(name_);
+  seaway_shm_store(&hostile.c().header->turned_away, 0xffff'fff0u);
+  EXPECT_TRUE(comesTrue([&] { return sea_.refusals > 0; }));
+  expectServed(other, 2.0);
+  // At one look; the word is not touched again.
+  EXPECT_LE(sea_.refusals, 1000u);
+  EXPECT_EQ(sea_.lastRefusal, SEAWAY_SHM_NO_SLOT);
+}
+
 TEST_F(ShmHostileHard, ASpoiltHeaderIsMadeAnewAndHostsReconnect) {
   Client other(name_), hostile(name_);
   for (int round = 0; round < 5; ++round) {
