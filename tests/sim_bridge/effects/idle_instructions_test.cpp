@@ -51,7 +51,7 @@ void expectNoMore(const std::map<std::string, double>& counts, const std::string
 }
 
 TEST(IdleInstructions, NoEffectTakesAnyWhereItIsNotCalledForOrSwitchedOff) {
-  if (!test::valgrindCanCount()) GTEST_SKIP() << "no valgrind, or a sanitizer";
+  if (!seaway::test::valgrindCanCount()) GTEST_SKIP() << "no valgrind, or a sanitizer";
   const test::TempFolder folder;
   const auto all = counts(folder.path());
   ASSERT_FALSE(all.empty());
