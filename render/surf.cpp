@@ -65,12 +65,6 @@ float foamBehind(float phase, float roller, float fade) {
   return leftCover * std::exp((roller - phase) * fade);
 }
 
-/// Its mean over a wave.
-float meanFoam(float fade) {
-  const float left = leftCover / fade * (1.0f - std::exp((leastRoller - turn) * fade));
-  return (rollerCover * leastRoller + left) / turn;
-}
-
 /// Foam of a wave that `part` of all waves break like, where still water is `depth` deep. `slope`
 /// along the waves' direction.
 float boreFoam(const Bores& bores, float part, float depth, float height, float slope) {
@@ -88,6 +82,25 @@ float boreFoam(const Bores& bores, float part, float depth, float height, float 
   return breaks * std::sqrt(water) * foamBehind(behind, roller, bores.fade);
 }
 
+/// Its mean over a wave's phases and the heights of waves by Rayleigh's distribution.
+float meanFoam(const Bores& bores, float part, float depth) {
+  constexpr int heights = 6, phases = 24;
+  float sum = 0.0f;
+  for (int i = 0; i < heights; ++i) {
+    const float higher = (static_cast<float>(i) + 0.5f) / heights;
+    const float amplitude = std::sqrt(-2.0f * bores.variance * std::log(higher));
+    for (int j = 0; j < phases; ++j) {
+      const float phase = turn * static_cast<float>(j) / phases;
+      sum += boreFoam(bores, part, depth, amplitude * std::cos(phase),
+                      amplitude * bores.waveNumber * std::sin(phase));
+    }
+  }
+  return sum / (heights * phases);
+}
+
+/// In deviations of height: as much higher than still water waves do not come.
+constexpr double highest = 2.5;
+
 }  // namespace
 
 Surf::Surf(std::shared_ptr<const TerrainMap> terrain, const WaveField& waves)
@@ -104,6 +117,20 @@ Surf::Surf(std::shared_ptr<const TerrainMap> terrain, const WaveField& waves)
   const double variance = std::pow(waves.standardDeviation(), 2);
   if (variance > 0.0) shortest_ = 0.5 * wavelengths / variance;
   if (glm::length(towards) > 1e-6 * variance) towards_ = glm::normalize(towards);
+  driest_ = -highest * waves.standardDeviation();
+  const Bores bores = boresOf(waves, shortest_, towards_);
+  for (std::size_t i = 0; i < means_.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(means_.size() - 1);
+    means_[i] = meanFoam(bores, 1.0f, static_cast<float>(glm::mix(driest_, allBreak_, share)));
+  }
+}
+
+float Surf::mean(double depth) const {
+  const double share = std::clamp((depth - driest_) / (allBreak_ - driest_), 0.0, 1.0);
+  const double place = share * static_cast<double>(means_.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), means_.size() - 2);
+  const float there = static_cast<float>(place - static_cast<double>(i));
+  return static_cast<float>(breaking(depth)) * glm::mix(means_[i], means_[i + 1], there);
 }
 
 double Surf::breaking(double depth) const {
@@ -133,14 +160,14 @@ bool Surf::addTo(const SurfaceAtTime& water, std::span<const double> x, std::spa
         {.shortestWavelength = shortest});
   }
   const glm::vec2 towards(towards_);
-  const float mean = meanFoam(boresOf(water.waves().field(), shortest_, towards_).fade);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (part[i] <= 0.0f) continue;
-    float white = part[i] * mean;
+    const double depth = -terrain_->heightAt({x[i], y[i]});
+    float white = mean(depth);
     if (bores.shown > 0.0f) {
       const float slope = towards.x * slopeX[i] + towards.y * slopeY[i];
-      const float depth = static_cast<float>(-terrain_->heightAt({x[i], y[i]}));
-      white = glm::mix(white, boreFoam(bores, part[i], depth, height[i], slope), bores.shown);
+      const float bore = boreFoam(bores, part[i], static_cast<float>(depth), height[i], slope);
+      white = glm::mix(white, bore, bores.shown);
     }
     foam[i] += (1.0f - foam[i]) * white;
   }

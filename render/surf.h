@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -36,6 +37,10 @@ class Surf {
   /// m: where it falls to a 255th, the least that a cover tells from nothing.
   double deepest() const { return deepest_; }
 
+  /// Mean of the foam over a depth of still water, m, negative ashore: of all phases of waves, and
+  /// their heights by Rayleigh's distribution.
+  float mean(double depth) const;
+
   /// Adds to the foam at points (x, y) of the sea plane, [0, 1]; returns whether it added any. Of
   /// waves that a row of a grid does not carry (`keptWavelength`, BandLimit) the mean foam is
   /// added. At most 256 points; no allocation.
@@ -46,8 +51,10 @@ class Surf {
   std::shared_ptr<const TerrainMap> terrain_;
   double allBreak_ = 0.0;  // m: the depth at which all waves break
   double deepest_ = 0.0;
-  double shortest_ = 0.0;         // m: waves that are bores
-  glm::dvec2 towards_{1.0, 0.0};  // mean direction of waves
+  double shortest_ = 0.0;          // m: waves that are bores
+  glm::dvec2 towards_{1.0, 0.0};   // mean direction of waves
+  double driest_ = 0.0;            // m: the depth, less than 0, that no wave reaches
+  std::array<float, 24> means_{};  // from there to `allBreak_`, evenly
 };
 
 /// That of a view; none where there are no waves, where no terrain may be in view, and where the

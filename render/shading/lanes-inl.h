@@ -156,11 +156,14 @@ HWY_INLINE VU gather(const std::uint32_t* from, VI at) {
   return hn::GatherIndex(Words(), from, at);
 }
 HWY_INLINE Real gather(const float* from, VI at) { return hn::GatherIndex(Floats(), from, at); }
+HWY_INLINE VU wordsAt(const std::uint32_t* from, VI at) { return gather(from, at); }
+HWY_INLINE VU wordsAt(const float* from, VI at) { return hn::BitCast(Words(), gather(from, at).v); }
 /// Words and those after them: half as long as two gathers where words are loaded in pairs.
 struct Pairs {
   VU first, second;
 };
-HWY_INLINE Pairs gatherPairs(const std::uint32_t* from, VI at) {
+template <class Texel>
+HWY_INLINE Pairs gatherPairs(const Texel* from, VI at) {
 #if HWY_TARGET == HWY_AVX3
   __m256i halves[4];
   for (int k = 0; k < 4; ++k) {
@@ -169,10 +172,10 @@ HWY_INLINE Pairs gatherPairs(const std::uint32_t* from, VI at) {
                          : k == 2 ? _mm512_extracti32x4_epi32(at.raw, 2)
                                   : _mm512_extracti32x4_epi32(at.raw, 3);
     const auto load = [&](long long two) HWY_ATTR {
-      const __m128d low =
-          _mm_load_sd(reinterpret_cast<const double*>(from + static_cast<std::int32_t>(two)));
-      return _mm_castpd_si128(
-          _mm_loadh_pd(low, reinterpret_cast<const double*>(from + (two >> 32))));
+      const auto pair = [&](long long i) HWY_ATTR {
+        return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + i));
+      };
+      return _mm_unpacklo_epi64(pair(static_cast<std::int32_t>(two)), pair(two >> 32));
     };
     halves[k] = _mm256_inserti128_si256(_mm256_castsi128_si256(load(_mm_cvtsi128_si64(four))),
                                         load(_mm_extract_epi64(four, 1)), 1);
@@ -183,7 +186,7 @@ HWY_INLINE Pairs gatherPairs(const std::uint32_t* from, VI at) {
   const VU low = joined(halves[0], halves[1]), high = joined(halves[2], halves[3]);
   return {hn::ConcatEven(Words(), high, low), hn::ConcatOdd(Words(), high, low)};
 #else
-  return {gather(from, at), gather(from, hn::Add(at, setInt(1)))};
+  return {wordsAt(from, at), wordsAt(from, hn::Add(at, setInt(1)))};
 #endif
 }
 /// An unsigned integer a pixel.

@@ -55,15 +55,16 @@ HWY_INLINE Corners wrappedCorners(Real2 place, Real side, VI start) {
 struct CornerTexels {
   Pairs low, high;
 };
-HWY_INLINE CornerTexels gatherCorners(const std::uint32_t* texels, const Corners& c) {
+template <class Texel>
+HWY_INLINE CornerTexels gatherCorners(const Texel* texels, const Corners& c) {
   if (c.areBeside) return {gatherPairs(texels, c.low), gatherPairs(texels, c.high)};
-  return {{gather(texels, c.low), gather(texels, hn::Add(c.low, c.across))},
-          {gather(texels, c.high), gather(texels, hn::Add(c.high, c.across))}};
+  return {{wordsAt(texels, c.low), wordsAt(texels, hn::Add(c.low, c.across))},
+          {wordsAt(texels, c.high), wordsAt(texels, hn::Add(c.high, c.across))}};
 }
 
 /// Between numbers at corners.
 HWY_INLINE Real bilinear(const float* texels, const Corners& c) {
-  const CornerTexels at = gatherCorners(reinterpret_cast<const std::uint32_t*>(texels), c);
+  const CornerTexels at = gatherCorners(texels, c);
   const auto real = [](VU word) HWY_ATTR { return Real(hn::BitCast(Floats(), word)); };
   return mix(mix(real(at.low.first), real(at.low.second), c.part.x),
              mix(real(at.high.first), real(at.high.second), c.part.x), c.part.y);

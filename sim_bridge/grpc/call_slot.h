@@ -94,10 +94,11 @@ class CallSlot {
   void take() {
     begun_ = std::chrono::steady_clock::now();
     bloated_ = bloated_ || received_.Length() > mostKept;
-    if (received_.Length() > host_.mostMessageBytes) {
+    if (const std::size_t length = received_.Length(); length > host_.mostMessageBytes) {
+      received_.Clear();
       return refuse(std::make_exception_ptr(
           RpcFault(grpc::StatusCode::RESOURCE_EXHAUSTED, Refusal::tooLarge,
-                   "the message has " + std::to_string(received_.Length()) + " bytes; at most " +
+                   "the message has " + std::to_string(length) + " bytes; at most " +
                        std::to_string(host_.mostMessageBytes) + " are allowed")));
     }
     if (!read()) {

@@ -40,6 +40,10 @@ void setTransport(grpc::ServerBuilder& builder, const RpcServerOptions& options)
   // memory too before it looks (1.51: 600 MB sent against a limit of 128 MiB, 620 MB more in use),
   // and says nothing of it to a service.
   builder.SetMaxReceiveMessageSize(-1);
+  // A small message may unpack to any length before anybody can look at it.
+  builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
+  builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_GZIP, false);
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, 256);
   builder.SetMaxSendMessageSize(-1);
 }
 

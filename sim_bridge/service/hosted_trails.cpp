@@ -38,10 +38,7 @@ void HostedTrails::hear(const std::map<std::uint32_t, HullNews>& news) {
   for (const auto& [hull, each] : news) {
     if (each.begins) sailed_.erase(hull);
     for (const WakePose& pose : each.poses) {
-      if (pose.time < 0.0) {
-        ++beforeEpoch_;
-        continue;
-      }
+      if (pose.time < 0.0) continue;
       const auto known = sailed_.find(hull);
       if (known != sailed_.end()) {
         record(known->second, pose);

@@ -32,9 +32,6 @@ class HostedTrails {
   /// have done after it never happened.
   void begin(double t);
 
-  /// How many poses were before the epoch.
-  std::uint64_t beforeEpoch() const { return beforeEpoch_; }
-
   bool empty() const { return sailed_.empty() && gone_.empty(); }
 
  private:
@@ -52,7 +49,6 @@ class HostedTrails {
   std::shared_ptr<const ServedScene> scene_;
   std::map<std::uint32_t, Sailed> sailed_;
   std::deque<Sailed> gone_;
-  std::uint64_t beforeEpoch_ = 0;
 };
 
 }  // namespace seaway::bridge

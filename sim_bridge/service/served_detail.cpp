@@ -101,12 +101,6 @@ void ServedSea::bringDetail(DetailKeeping& keeping, std::unique_lock<std::mutex>
 }
 
 void ServedSea::keepDetail(const std::stop_token& stop) {
-  // Of all scenes; read by others.
-  const auto posesBeforeEpoch = std::make_shared<std::atomic<std::uint64_t>>(0);
-  meters_.addEvents("sea", [posesBeforeEpoch] {
-    return std::vector<std::pair<std::string, std::uint64_t>>{
-        {"poses_before_epoch", *posesBeforeEpoch}};
-  });
   DetailKeeping keeping;
   std::unique_lock lock(noting_);
   while (true) {
@@ -122,9 +116,7 @@ void ServedSea::keepDetail(const std::stop_token& stop) {
       keeping.scene = noted_;
       keeping.trails.emplace(noted_);
     }
-    const std::uint64_t before = keeping.trails->beforeEpoch();
     keeping.trails->hear(fleet_.takeTrailNews());
-    *posesBeforeEpoch += keeping.trails->beforeEpoch() - before;
     detailAsked_.anyGuests = noted_->trailsAllowed && !keeping.trails->empty();
     if (!std::exchange(detailAsked_.wanted, false)) continue;
     const std::uint64_t upTo = detailAsked_.calls;

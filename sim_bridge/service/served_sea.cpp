@@ -15,6 +15,10 @@ ServedSea::ServedSea(const Scene& scene, Sea sea) : geodesy_(sea.geodesy) {
   composed_ = noted_ = std::make_shared<const ServedScene>(scene, std::move(sea));
   scene_.publish(noted_);
   publish();
+  meters_.addEvents("sea", [this] {
+    return std::vector<std::pair<std::string, std::uint64_t>>{
+        {"poses_before_epoch", posesBeforeEpoch_}};
+  });
   thread_ = std::jthread([this](const std::stop_token& stop) { keepWakes(stop); });
   detailThread_ = std::jthread([this](const std::stop_token& stop) { keepDetail(stop); });
   sailingThread_ = std::jthread([this](const std::stop_token& stop) { keepSailing(stop); });
@@ -129,6 +133,7 @@ bool ServedSea::place(std::uint32_t hull, double t, const HostedPose& pose) {
   if (!sane) return false;
   const std::lock_guard lock(noting_);
   if (!fleet_.place(hull, t, placed)) return false;
+  if (t < 0.0) ++posesBeforeEpoch_;
   detailAsked_.anyGuests = detailAsked_.anyGuests || noted_->trailsAllowed;
   return true;
 }

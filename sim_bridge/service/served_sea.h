@@ -157,7 +157,7 @@ class ServedSea {
 
   const Geodesy geodesy_;
   std::atomic<double> lastTime_{0.0};
-  std::atomic<std::uint64_t> wavesVersion_{0};
+  std::atomic<std::uint64_t> wavesVersion_{0}, posesBeforeEpoch_{0};
   Meters meters_;
   Published<WaterSurface> surface_;
   Published<ServedScene> scene_;

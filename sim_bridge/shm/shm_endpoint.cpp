@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@
 
 namespace seaway::bridge::shm {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr double rounds = 0.25;  // s between looks at slots that nobody called for
 
@@ -56,8 +59,13 @@ class ShmEndpoint::Serving {
 
  private:
   void countTurnedAway() {
+    const Clock::time_point now = Clock::now();
+    if (now - counted_ < std::chrono::duration<double>(rounds)) return;
+    counted_ = now;
     const std::uint32_t said = seaway_shm_load(&segment_.header().turned_away);
-    const std::uint32_t more = std::min(said - std::exchange(turnedAway_, said), mostTurnedAway);
+    const std::uint32_t grown = said - std::exchange(turnedAway_, said);
+    const bool isBack = grown > std::numeric_limits<std::uint32_t>::max() / 2;
+    const std::uint32_t more = isBack ? 0 : std::min(grown, mostTurnedAway);
     for (std::uint32_t i = 0; backing_.observer && i < more; ++i) {
       backing_.observer->refused(SEAWAY_SHM_NO_SLOT);
     }
@@ -68,6 +76,7 @@ class ShmEndpoint::Serving {
   std::vector<std::unique_ptr<SlotWorker>> workers_;
   std::optional<PictureThread> pictures_;
   std::uint32_t turnedAway_ = 0;
+  Clock::time_point counted_{};
 };
 
 ShmEndpoint::ShmEndpoint(ShmOptions options)

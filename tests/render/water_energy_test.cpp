@@ -116,7 +116,7 @@ TEST(WaterEnergy, WavesThatLeanReflectAsTheirSlopesAlongAndAcrossTheViewDo) {
   double worst = 0.0;
   // The table takes slopes across the view for as large as those along it, which costs up to 5.6 %
   // at a lean of 0.8 and 12.5 m/s.
-  for (const double lean : {-0.4, 0.4}) {
+  for (const double lean : {-0.4, 0.4, 0.8}) {
     for (const double wind : {3.0, 7.0, 12.5}) {
       LitWater water;
       water.roughness = static_cast<float>(slopeOf(wind));
@@ -127,7 +127,8 @@ TEST(WaterEnergy, WavesThatLeanReflectAsTheirSlopesAlongAndAcrossTheViewDo) {
                                                 half * (1.0 + lean), half * (1.0 - lean));
         const double drawn = water.radiance(angle).g;
         worst = std::max(worst, std::abs(drawn / wanted - 1.0));
-        EXPECT_NEAR(drawn / wanted, 1.0, 0.03) << wind << " m/s at " << angle << ", " << lean;
+        EXPECT_NEAR(drawn / wanted, 1.0, lean < 0.5 ? 0.03 : 0.06)
+            << wind << " m/s at " << angle << ", " << lean;
       }
     }
   }

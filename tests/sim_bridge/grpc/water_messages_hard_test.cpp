@@ -164,6 +164,19 @@ TEST(WaterGrpcHard, AMessageBeyondTheTransportsLimitIsRefusedToo) {
   expectServed(water);
 }
 
+TEST(WaterGrpcHard, CompressedMessagesAreNotUnpacked) {
+  ServedWater water;
+  const auto stub = water.stub();
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE}) {
+    Context context;
+    context.set_compression_algorithm(algorithm);
+    SampleResponse response;
+    EXPECT_EQ(stub->Sample(&context, planeRequest(0.0, 1000), &response).error_code(),
+              grpc::StatusCode::UNIMPLEMENTED);
+  }
+  expectServed(water);
+}
+
 TEST(WaterGrpcHard, AMessageSomewhatTooLongIsRefusedWithTheLimitAndCounted) {
   rpc::RpcServerOptions options;
   options.mostMessageBytes = 1 << 16;

@@ -138,6 +138,10 @@ TEST(HostedTrailsHard, PosesBeforeTheEpochAreCountedAndTheTrailBeginsThere) {
   // It passed y = 30 m at the epoch; strokes reach half its length of 12 m farther back.
   EXPECT_EQ(foamAcross(served, 20.0, 15.0, 6.0), 0.0);
   EXPECT_GT(foamAcross(served, 20.0, 45.0, 6.0), 0.2);
+  const std::uint32_t other = served.sea.addHull(0);
+  for (int i = -50; i < 50; ++i) served.sea.place(other, 0.01 * i, served.poseAt({-50.0, 0.0}));
+  served.sea.replaceScene(served.scene, buildSea(served.scene));
+  EXPECT_EQ(served.sea.meters().readEvents()[0].count, 110u) << "each, and once";
 }
 
 TEST(HostedTrailsHard, AHostThatBeginsAgainLeavesItsTrailAgain) {
