@@ -58,7 +58,7 @@ void readFoam(const FrameTargets& targets, const std::vector<Albedo>& albedo,
   const glm::vec2 perPixel = 2.0f / glm::vec2(size);
   tbb::parallel_for(0, size.y, [&](int y) {
     PixelSpan span{};
-    float white[pixelsPerSpan + 16];
+    alignas(64) float white[pixelsPerSpan + 16];
     for (int first = 0; first < size.x; first += pixelsPerSpan) {
       span.count = std::min(pixelsPerSpan, size.x - first);
       const std::size_t at = static_cast<std::size_t>(y) * size.x + first;

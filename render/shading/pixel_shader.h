@@ -78,7 +78,7 @@ void mapTones(std::span<const glm::vec3> radiance, const ToneMapping& tones, glm
               std::uint8_t* rgb);
 
 /// Part of each of a span's pixels that is white with foam, [0, 1], where constants.foamIsOn; 0 but for
-/// water. `parts` is writable up to the next multiple of 16.
+/// water. `parts` is aligned to 64 bytes and writable up to the next multiple of 16.
 void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts);
 
 /// Slopes that shading sees at pixels of water: those of waves and ripples in xy, and in z the

@@ -98,7 +98,7 @@ void StripTechnique::fillSpan(const ShadedRow& r, int first, const float* sea,
 /// What labels tell of a span's pixels.
 void StripTechnique::storeLabels(const ShadedRow& r, const PixelSpan& span,
                                  const std::uint32_t* which, std::size_t at, Frame& frame) const {
-  float white[pixelsPerSpan + 16];
+  alignas(64) float white[pixelsPerSpan + 16];
   foamParts(ShadingSources{r.constants}, span, white);
   for (int i = 0; i < span.count; ++i) {
     frame.foam[at + i] = static_cast<std::uint8_t>(255.0f * white[i] + 0.5f);
