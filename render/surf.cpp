@@ -126,6 +126,7 @@ Surf::Surf(std::shared_ptr<const TerrainMap> terrain, const WaveField& waves)
 }
 
 float Surf::mean(double depth) const {
+  if (!(allBreak_ > driest_)) return 0.0f;  // no waves
   const double share = std::clamp((depth - driest_) / (allBreak_ - driest_), 0.0, 1.0);
   const double place = share * static_cast<double>(means_.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(place), means_.size() - 2);
