@@ -8,7 +8,7 @@
 namespace seaway::render {
 namespace {
 
-constexpr int silhouetteWidth = 2;     // pixels
+constexpr int silhouetteWidth = 2;      // pixels
 constexpr float silhouetteStep = 1.1f;  // ratio of depths
 
 /// Pixels within `silhouetteWidth` of a silhouette: 1.
@@ -60,8 +60,8 @@ double displacement(const Camera& camera, glm::dvec2 pixel, double depth, double
 }
 
 double nthOf(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                       share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -84,11 +84,11 @@ FrameComparison compareFrames(const Camera& camera, const Frame& frame, const Fr
       result.misplaced += near[i] == 0;
     }
     if (!drawn || !wanted || near[i] != 0) continue;
-    const glm::dvec2 pixel(static_cast<int>(i) % camera.size.x, static_cast<int>(i) / camera.size.x);
+    const glm::dvec2 pixel(static_cast<int>(i) % camera.size.x,
+                           static_cast<int>(i) / camera.size.x);
     const double depth = frame.depth.metres[i], truth = reference.depth.metres[i];
     depths.push_back(std::abs(depth - truth));
-    places.push_back(
-        displacement(camera, pixel, depth, truth, glm::dvec3(reference.normals[i])));
+    places.push_back(displacement(camera, pixel, depth, truth, glm::dvec3(reference.normals[i])));
     squares += places.back() * places.back();
   }
   result.compared = depths.size();

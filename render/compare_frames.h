@@ -7,13 +7,13 @@ namespace seaway::render {
 
 /// How a frame's water differs from a reference's of the same view.
 struct FrameComparison {
-  double depthMedian = 0.0;      ///< |axial depth − reference's|, m
-  double positionRms = 0.0;      ///< pixels: the surface's place in the picture, see compareFrames
+  double depthMedian = 0.0;  ///< |axial depth − reference's|, m
+  double positionRms = 0.0;  ///< pixels: the surface's place in the picture, see compareFrames
   double positionPercentile99 = 0.0;  ///< pixels
-  std::size_t compared = 0;      ///< pixels of water in both, away from silhouettes
-  std::size_t missing = 0;       ///< pixels that are water in the reference alone
-  std::size_t extra = 0;         ///< pixels that are water in the frame alone
-  std::size_t misplaced = 0;     ///< of both, those farther than 2 pixels from a silhouette
+  std::size_t compared = 0;           ///< pixels of water in both, away from silhouettes
+  std::size_t missing = 0;            ///< pixels that are water in the reference alone
+  std::size_t extra = 0;              ///< pixels that are water in the frame alone
+  std::size_t misplaced = 0;          ///< of both, those farther than 2 pixels from a silhouette
 };
 
 /// Compares the water of two frames; pixels that show an object in either are left out.

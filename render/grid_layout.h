@@ -10,8 +10,8 @@
 
 namespace seaway::render {
 
-/// Radii of a grid of rings: 0, then innermost + growth·i⁴ for i = 0, 1, … (Kryachko 2005, GPU Gems 2,
-/// chapter 18, whose rings leave the centre open).
+/// Radii of a grid of rings: 0, then innermost + growth·i⁴ for i = 0, 1, … (Kryachko 2005, GPU Gems
+/// 2, chapter 18, whose rings leave the centre open).
 struct RingLaw {
   double innermost = 0.1;  ///< m
   double growth = 1e-5;    ///< m
@@ -21,8 +21,8 @@ struct RingLaw {
 
 /// Where the vertices of a grid on the sea plane lie, and which waves each row carries.
 ///
-/// A row carries what its spacing allows (BandLimit), between rows heights are interpolated: by this
-/// the grid, and the reference that it is compared with, draw the same band-limited sea.
+/// A row carries what its spacing allows (BandLimit), between rows heights are interpolated: by
+/// this the grid, and the reference that it is compared with, draw the same band-limited sea.
 struct GridLayout {
   struct Row {
     glm::dvec2 start{0.0}, step{0.0};  ///< m, relative to the camera's foot point
@@ -38,8 +38,8 @@ struct GridLayout {
   /// Height, m (1 σ), that the displacement of vertices may leave out: the smaller octaves'. Slopes
   /// are those of all. Of rings at the camera's foot, see displacementToleranceAt.
   double displacementTolerance = 0.0;
-  /// What of it a row may leave out: nothing within a metre, where the eye may be in the surface, and
-  /// beyond at most a fiftieth of the way from there.
+  /// What of it a row may leave out: nothing within a metre, where the eye may be in the surface,
+  /// and beyond at most a fiftieth of the way from there.
   double displacementToleranceAt(int row) const {
     if (!rings) return displacementTolerance;
     return std::clamp(0.02 * (rings->radius(row) - 1.0), 0.0, displacementTolerance);

@@ -17,8 +17,8 @@ struct SeaPlacement {
 };
 
 /// Aims a projector at what the view sees of the sea and has `place` put a grid there; where a wave
-/// passes the bounds that the projector was aimed with, again with room for it. Empty where there is
-/// no water to draw. Notes vertices and redraws in `stats`.
+/// passes the bounds that the projector was aimed with, again with room for it. Empty where there
+/// is no water to draw. Notes vertices and redraws in `stats`.
 std::optional<Projector> placeSea(const View& view, double projectorElevation,
                                   const std::function<SeaPlacement(const Projector&)>& place,
                                   FrameStats& stats);

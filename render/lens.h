@@ -29,8 +29,8 @@ struct LensMap {
 /// picture or `wide` is larger than mostLensPixels.
 LensMap lensMap(const Camera& camera, int samplesPerSide);
 
-/// A picture that a lens' is made from has no more pixels: it, what draws it and the places read in it
-/// take at most so many bytes each, 1.8 GB (`./test -R LensMemory`).
+/// A picture that a lens' is made from has no more pixels: it, what draws it and the places read in
+/// it take at most so many bytes each, 1.8 GB (`./test -R LensMemory`).
 inline constexpr double lensBytesPerPixel = 54.0;
 inline constexpr long long mostLensPixels = 1LL << 25;
 inline constexpr int mostSamplesPerSide = 16;

@@ -193,7 +193,8 @@ std::vector<Projector::Line> Projector::lines(int count) const {
   const std::vector<double> v = rows(count);
   std::vector<Line> result(v.size());
   if (rowEnds_ == RowEnds::rectangle) {
-    for (std::size_t i = 0; i < v.size(); ++i) result[i] = {basePoint(0.0, v[i]), basePoint(1.0, v[i])};
+    for (std::size_t i = 0; i < v.size(); ++i)
+      result[i] = {basePoint(0.0, v[i]), basePoint(1.0, v[i])};
     return result;
   }
   const double back = glm::length(glm::dvec2(position_));

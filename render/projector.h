@@ -61,15 +61,17 @@ class Projector {
   struct Line {
     glm::dvec2 left{0.0}, right{0.0};
   };
-  /// The rows of a grid, `count` ≥ 2, from the nearest: what lies between neighbours covers all that
-  /// the camera may see of the sea.
+  /// The rows of a grid, `count` ≥ 2, from the nearest: what lies between neighbours covers all
+  /// that the camera may see of the sea.
   std::vector<Line> lines(int count) const;
 
   /// Which row a place of the sea plane lies on, as constants for a kernel: with
   /// offset = place − foot, along = offset·azimuth, axial = along·cosine + heightSine:
   ///   v = ((along·sine − heightCosine)/axial − leastY)·perY,
-  ///   row/(rows − 1) = v·(1 − logarithmic) + logarithmic·(asinh((along − back)/scale) − first)·perLog
-  /// It inverts `rows`. Columns follow from the row's line; across is offset·(azimuth.y, −azimuth.x).
+  ///   log = (asinh((along − back)/scale) − first)·perLog,
+  ///   row/(rows − 1) = v·(1 − logarithmic) + log·logarithmic.
+  /// It inverts `rows`. Columns follow from the row's line: across = offset·(azimuth.y,
+  /// −azimuth.x).
   struct GridFromPlane {
     glm::dvec2 foot{0.0}, azimuth{1.0, 0.0};
     double cosine = 1.0, sine = 0.0, heightSine = 0.0, heightCosine = 0.0;

@@ -64,8 +64,8 @@ struct Light {
   double sunElevation = 0.5;  ///< rad above the horizon, [−π/2, π/2]
   double sunDirection = 0.0;  ///< rad counter-clockwise from east: where the sun stands
   double windSpeed = 7.0;     ///< m/s at 12.5 m: roughness below the field's shortest waves
-  double turbidity = 0.045;   ///< of the water, 1/m ≥ 0: what it dims beyond clear water, any colour
-  double visibility = 28e3;   ///< m, > 0: where haze leaves 2 % of a thing's contrast
+  double turbidity = 0.045;  ///< of the water, 1/m ≥ 0: what it dims beyond clear water, any colour
+  double visibility = 28e3;  ///< m, > 0: where haze leaves 2 % of a thing's contrast
   std::optional<Moon> moon{};
   ShadingTerms terms{};
   ToneCurve toneCurve = ToneCurve::filmic;
@@ -76,13 +76,13 @@ struct Light {
 
 /// A lamp: a point of light, seen within an arc.
 struct Lamp {
-  glm::dvec3 position{0.0};       ///< in the sea plane's frame, m
-  glm::vec3 colour{1.0f};         ///< linear
-  double candela = 10.0;          ///< luminous intensity
-  glm::dvec3 towards{1, 0, 0};    ///< middle of its arc, unit
-  glm::dvec3 up{0, 0, 1};         ///< normal of the plane of its arc, unit
+  glm::dvec3 position{0.0};        ///< in the sea plane's frame, m
+  glm::vec3 colour{1.0f};          ///< linear
+  double candela = 10.0;           ///< luminous intensity
+  glm::dvec3 towards{1, 0, 0};     ///< middle of its arc, unit
+  glm::dvec3 up{0, 0, 1};          ///< normal of the plane of its arc, unit
   double arc = 6.283185307179586;  ///< rad, from edge to edge; 2π: all round
-  bool shines = false;            ///< on things about it too: it has no screens
+  bool shines = false;             ///< on things about it too: it has no screens
 };
 
 /// A plain coloured triangle mesh in its own body frame (x forward, y port, z up, m).
@@ -94,7 +94,8 @@ struct Mesh {
   /// A convex room inside the hull that keeps the sea out: a cockpit, a hold. Where the surface of
   /// the sea passes through it, no sea is drawn.
   struct Hollow {
-    /// Outward unit normal in xyz, distance from the body origin in w: inside, dot(n, p) < w for all.
+    /// Outward unit normal in xyz, distance from the body origin in w: inside, dot(n, p) < w for
+    /// all.
     std::vector<glm::vec4> planes;  ///< at most `mostPlanes`
     static constexpr std::size_t mostPlanes = 12;
   };
@@ -161,17 +162,17 @@ class RenderTechnique {
 };
 
 /// How the projected grid gets from the field to pixels; the picture is the same but for rounding,
-/// for rims of objects (OpenGL's are smoothed along their edges alone, those of `software` are mixed
-/// by the part of the pixel that they cover) and for what cpuVerticesGpuNormals says.
+/// for rims of objects (OpenGL's are smoothed along their edges alone, those of `software` are
+/// mixed by the part of the pixel that they cover) and for what cpuVerticesGpuNormals says.
 enum class GridVariant {
-  cpuVertices,            ///< heights and vertices by the processor, mesh through GL
-  gpu,                    ///< heights by the graphics card, vertices displaced by texture fetch
+  cpuVertices,  ///< heights and vertices by the processor, mesh through GL
+  gpu,          ///< heights by the graphics card, vertices displaced by texture fetch
   /// An eighth of the vertices each way by the processor, slopes at all points of the grid by the
   /// graphics card. Depth and outline are the coarse mesh's, as in Johanson's variant of that name:
   /// only shading has the grid's detail.
   cpuVerticesGpuNormals,
-  marched,                ///< heights by the graphics card, a ray for each pixel, no mesh
-  software,               ///< raster and shading by the processor too: no GL at all
+  marched,   ///< heights by the graphics card, a ray for each pixel, no mesh
+  software,  ///< raster and shading by the processor too: no GL at all
 };
 /// Name as on the command line: "cpu_vertices", "software".
 std::string_view gridVariantName(GridVariant variant);
@@ -221,9 +222,9 @@ struct PostProcessOptions {
 };
 
 /// Toman's water as a post-process: the scene is drawn first, then a pass over all pixels marches
-/// from each one's scene position towards the viewer over a height map, to where the ray last leaves
-/// the water, and takes normals from four neighbours in the map. The map lies on the radial grid's
-/// rings, all waves that they carry in it. A crest that lies between two steps is not seen.
+/// from each one's scene position towards the viewer over a height map, to where the ray last
+/// leaves the water, and takes normals from four neighbours in the map. The map lies on the radial
+/// grid's rings, all waves that they carry in it. A crest that lies between two steps is not seen.
 std::unique_ptr<RenderTechnique> makePostProcess(const PostProcessOptions& options = {});
 
 /// A ray through each pixel's centre against the same sea, curved like it: the truth that other

@@ -55,10 +55,9 @@ void keepLargest(const SurfaceAtTime& water, std::span<const double> x, std::spa
                  const BandLimit::Plan& plan, double tolerance, Waves& waves) {
   const int count = static_cast<int>(x.size());
   const auto heights = [&](std::array<float, chunk>& to, double shortest) {
-    water.waves().sample(x, y, {.height = std::span(to.data(), count), .slopeX = {}, .slopeY = {},
-                                .rate = {}},
-                         {.tolerance = tolerance, .shortestWavelength = shortest,
-                          .derivatives = false});
+    water.waves().sample(
+        x, y, {.height = std::span(to.data(), count), .slopeX = {}, .slopeY = {}, .rate = {}},
+        {.tolerance = tolerance, .shortestWavelength = shortest, .derivatives = false});
   };
   heights(waves.height, plan.keptWavelength);
   if (plan.weight <= 0.0) return;
@@ -96,8 +95,7 @@ void SeaGrid::fill(const SurfaceAtTime& water, const Camera& camera, const GridL
 }
 
 /// Hides batches that lie wholly outside the outline.
-void SeaGrid::hideDry(const WaterOutline& outline, const Camera& camera,
-                      const GridLayout& layout) {
+void SeaGrid::hideDry(const WaterOutline& outline, const Camera& camera, const GridLayout& layout) {
   shown_.resize(static_cast<std::size_t>(size_.y - 1) * batches(), 1);
   const glm::dvec2 foot(camera.position);
   tbb::parallel_for(0, size_.y - 1, [&](int row) {
@@ -130,8 +128,8 @@ bool SeaGrid::isAsked(int row, int column) const {
   return false;
 }
 
-double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera,
-                        const GridLayout& layout, int row) {
+double SeaGrid::fillRow(const SurfaceAtTime& water, const Camera& camera, const GridLayout& layout,
+                        int row) {
   missingSlope_[row] = static_cast<float>(layout.rows[row].plan.missingSlope);
   double largest = 0.0;
   for (int first = 0; first < size_.x;) {
@@ -226,8 +224,8 @@ std::size_t SeaGrid::verticesInFrustum(const Camera& camera) const {
 }
 
 std::size_t SeaGrid::memoryBytes() const {
-  return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() +
-          slopeX_.capacity() + slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
+  return (x_.capacity() + y_.capacity() + z_.capacity() + height_.capacity() + slopeX_.capacity() +
+          slopeY_.capacity() + missingSlope_.capacity() + missingWakes_.capacity()) *
              sizeof(float) +
          wakes_.memoryBytes() + cover_.capacity() * sizeof(std::uint32_t) +
          rowLargest_.capacity() * sizeof(double) + shown_.capacity();

@@ -11,8 +11,8 @@
 namespace seaway::render {
 namespace {
 
-constexpr std::array<std::string_view, 5> techniques = {
-    "projected_grid", "radial_grid", "post_process", "naive_grid", "reference"};
+constexpr std::array<std::string_view, 5> techniques = {"projected_grid", "radial_grid",
+                                                        "post_process", "naive_grid", "reference"};
 constexpr GridVariant variants[] = {GridVariant::software, GridVariant::cpuVertices,
                                     GridVariant::gpu, GridVariant::cpuVerticesGpuNormals,
                                     GridVariant::marched};

@@ -10,7 +10,8 @@ namespace seaway::render {
 
 /// A technique by its names, as on the command line.
 struct TechniqueChoice {
-  std::string technique = "projected_grid";  ///< or radial_grid, post_process, naive_grid, reference
+  std::string technique =
+      "projected_grid";  ///< or radial_grid, post_process, naive_grid, reference
   /// Of the projected grid: automatic, or a name of gridVariantName. Automatic is the fastest: all
   /// on the processor where OpenGL would be software, a marched picture on a graphics card.
   std::string variant = "automatic";
@@ -22,8 +23,8 @@ struct TechniqueChoice {
 std::span<const std::string_view> techniqueNames();
 std::span<const std::string_view> variantNames();
 
-/// Makes the technique and the context it needs, if any, with whatever lens a view has (lens.h). Throws InputError for an unknown name, with
-/// those that are known.
+/// Makes the technique and the context it needs, if any, with whatever lens a view has (lens.h).
+/// Throws InputError for an unknown name, with those that are known.
 std::unique_ptr<RenderTechnique> makeTechnique(const TechniqueChoice& choice);
 
 }  // namespace seaway::render

@@ -38,7 +38,8 @@ VisibleShadow::VisibleShadow(const Camera& camera, double heightBound, glm::dvec
   // A ray middle + x·right + y·up is inside for x and y in [-1, 1].
   for (int side = 0; side < 2; ++side) {
     const double sign = side ? 1.0 : -1.0;
-    planes_[1 + side] = {forward * (1.0 - sign * off.x) + right * (sign / glm::dot(right, right)), 0.0};
+    planes_[1 + side] = {forward * (1.0 - sign * off.x) + right * (sign / glm::dot(right, right)),
+                         0.0};
     planes_[3 + side] = {forward * (1.0 - sign * off.y) + up * (sign / glm::dot(up, up)), 0.0};
   }
   constexpr double x[] = {-1.0, 1.0, 1.0, -1.0}, y[] = {-1.0, -1.0, 1.0, 1.0};

@@ -18,8 +18,7 @@ FrustumCorners frustumCorners(const Camera& camera, double farDistance) {
   const glm::dvec3 toRight = camera.rightHalf(), upwards = camera.upperHalf();
   FrustumCorners corners;
   for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 ray =
-        middle + (i & 1 ? 1.0 : -1.0) * toRight + (i & 2 ? 1.0 : -1.0) * upwards;
+    const glm::dvec3 ray = middle + (i & 1 ? 1.0 : -1.0) * toRight + (i & 2 ? 1.0 : -1.0) * upwards;
     corners[i] = eye + ray * (i & 4 ? farDistance : camera.nearDistance);
   }
   return corners;

@@ -112,10 +112,9 @@ render::View SceneView::view(const SceneMoment& moment, const SceneCamera& camer
   objects_.clear();
   instances_.clear();
   for (const PlacedVessel& placed : moment.vessels) {
-    objects_.push_back({&meshes_[placed.vessel],
-                        glm::dvec3(placed.pose.position, placed.pose.height),
-                        placed.pose.worldFromBody(),
-                        static_cast<std::uint16_t>(placed.vessel + 1)});
+    objects_.push_back(
+        {&meshes_[placed.vessel], glm::dvec3(placed.pose.position, placed.pose.height),
+         placed.pose.worldFromBody(), static_cast<std::uint16_t>(placed.vessel + 1)});
     instances_.push_back({scene_->vessels[placed.vessel].name, "vessel", nullptr});
   }
   addScenery(moment);

@@ -63,7 +63,7 @@ typedef enum seaway_status {
   SEAWAY_NOT_FOUND = 4,        /* no vessel or camera of that name or number */
   SEAWAY_BUFFER_TOO_SMALL = 5, /* what is written does not fit */
   SEAWAY_OUT_OF_MEMORY = 6,
-  SEAWAY_FAILED = 7            /* anything else: a fault of Seaway or of the machine */
+  SEAWAY_FAILED = 7 /* anything else: a fault of Seaway or of the machine */
 } seaway_status;
 
 /* Name of a seaway_status, such as "bad input"; "unknown status" for any other number. Thread-safe;
@@ -152,15 +152,15 @@ typedef struct seaway_sample_options {
 SEAWAY_API void seaway_sample_options_init(seaway_sample_options* options, size_t size);
 
 /* What an answer has to say: bits of `status`. 0: nothing. */
-#define SEAWAY_SAMPLE_TRUNCATED 0x1u       /* waves were left out as asked; `error` says how much */
-#define SEAWAY_SAMPLE_NOT_FINITE 0x2u      /* the point or the time is NaN or infinite: NaN */
-#define SEAWAY_SAMPLE_OUT_OF_RANGE 0x4u    /* farther than 500 km (geodetic) or 1e12 m, s: NaN */
-#define SEAWAY_SAMPLE_NO_KINEMATICS 0x8u   /* Perlin octaves have no orbital motion: NaN */
-#define SEAWAY_SAMPLE_ABOVE_SURFACE 0x10u  /* the point is in the air: no motion, NaN */
-#define SEAWAY_SAMPLE_BELOW_BED 0x20u      /* the point is in the bed: no motion, NaN */
+#define SEAWAY_SAMPLE_TRUNCATED 0x1u         /* waves left out as asked; `error` says how much */
+#define SEAWAY_SAMPLE_NOT_FINITE 0x2u        /* the point or the time is NaN or infinite: NaN */
+#define SEAWAY_SAMPLE_OUT_OF_RANGE 0x4u      /* farther than 500 km (geodetic) or 1e12 m, s: NaN */
+#define SEAWAY_SAMPLE_NO_KINEMATICS 0x8u     /* Perlin octaves have no orbital motion: NaN */
+#define SEAWAY_SAMPLE_ABOVE_SURFACE 0x10u    /* the point is in the air: no motion, NaN */
+#define SEAWAY_SAMPLE_BELOW_BED 0x20u        /* the point is in the bed: no motion, NaN */
 #define SEAWAY_SAMPLE_WAKE_OUT_OF_TIME 0x40u /* wakes are not known at this time: their nearest */
-#define SEAWAY_SAMPLE_WAKE_PARTIAL 0x80u   /* at a wake's border some of its waves are missing */
-#define SEAWAY_SAMPLE_DRY 0x100u           /* ashore: NaN */
+#define SEAWAY_SAMPLE_WAKE_PARTIAL 0x80u     /* at a wake's border some of its waves are missing */
+#define SEAWAY_SAMPLE_DRY 0x100u             /* ashore: NaN */
 
 /* Answers: arrays of at least `count` numbers each; NULL: not wanted, and not computed where that
  * saves time. */
@@ -199,7 +199,7 @@ SEAWAY_API seaway_status seaway_sea_sample(const seaway_sea* sea, double time,
 /* Answers below the surface; as seaway_samples. */
 typedef struct seaway_motions {
   uint32_t struct_size;
-  uint32_t reserved; /* 0 */
+  uint32_t reserved;     /* 0 */
   double* velocity_east; /* of the water, without the current, m/s */
   double* velocity_north;
   double* velocity_up;
@@ -218,8 +218,7 @@ SEAWAY_API void seaway_motions_init(seaway_motions* motions, size_t size);
  * below it; `points->count` of them): linear waves with Wheeler's stretching. Otherwise as
  * seaway_sea_sample; `parallel` is not looked at. */
 SEAWAY_API seaway_status seaway_sea_sample_motion(const seaway_sea* sea, double time,
-                                                  const seaway_points* points,
-                                                  const double* height,
+                                                  const seaway_points* points, const double* height,
                                                   const seaway_sample_options* options,
                                                   const seaway_motions* out);
 
@@ -239,8 +238,7 @@ SEAWAY_API void seaway_ray_options_init(seaway_ray_options* options, size_t size
  * above 0. Ashore, flat ground ends a ray. `options` or NULL: defaults. Thread-safe; allocates. */
 SEAWAY_API seaway_status seaway_sea_cast_rays(const seaway_sea* sea, double time, size_t count,
                                               const double* origins, const double* directions,
-                                              const seaway_ray_options* options,
-                                              double* distances);
+                                              const seaway_ray_options* options, double* distances);
 
 /* ---- places ---------------------------------------------------------------------------------- */
 
@@ -295,14 +293,14 @@ SEAWAY_API seaway_status seaway_sea_find_vessel(const seaway_sea* sea, const cha
 
 typedef struct seaway_pose {
   uint32_t struct_size;
-  uint32_t frame;       /* a seaway_frame: which position is meant where a pose is given; poses that
-                           are asked for have both. Default SEAWAY_SEA_PLANE */
-  double east, north;   /* of the body's origin, sea plane, m */
+  uint32_t frame;     /* a seaway_frame: which position is meant where a pose is given; poses that
+                         are asked for have both. Default SEAWAY_SEA_PLANE */
+  double east, north; /* of the body's origin, sea plane, m */
   double latitude_deg, longitude_deg;
-  double height;        /* of the body's origin above the still-water level, m */
-  double heading_deg;   /* true */
-  double pitch_deg;     /* bow up */
-  double roll_deg;      /* starboard down */
+  double height;      /* of the body's origin above the still-water level, m */
+  double heading_deg; /* true */
+  double pitch_deg;   /* bow up */
+  double roll_deg;    /* starboard down */
 } seaway_pose;
 
 SEAWAY_API void seaway_pose_init(seaway_pose* pose, size_t size);
@@ -394,10 +392,10 @@ SEAWAY_API seaway_status seaway_hull_describe(const seaway_hull* hull, seaway_hu
 /* Where a body is and how it moves, along the sea plane's axes. */
 typedef struct seaway_body {
   uint32_t struct_size;
-  uint32_t reserved;         /* 0 */
-  double position[3];        /* of the body's origin: east, north, up, m */
-  double attitude[4];        /* w, x, y, z of the unit quaternion that turns body into sea plane */
-  double velocity[3];        /* of the body's origin, m/s */
+  uint32_t reserved;          /* 0 */
+  double position[3];         /* of the body's origin: east, north, up, m */
+  double attitude[4];         /* w, x, y, z of the unit quaternion that turns body into sea plane */
+  double velocity[3];         /* of the body's origin, m/s */
   double angular_velocity[3]; /* rad/s */
 } seaway_body;
 
@@ -405,7 +403,7 @@ SEAWAY_API void seaway_body_init(seaway_body* body, size_t size);
 
 typedef struct seaway_load_options {
   uint32_t struct_size;
-  uint32_t own_vessel; /* as in seaway_sample_options */
+  uint32_t own_vessel;          /* as in seaway_sample_options */
   double wind_east, wind_north; /* velocity of the air, m/s; NaN (default): no wind loads */
 } seaway_load_options;
 
@@ -414,7 +412,7 @@ SEAWAY_API void seaway_load_options_init(seaway_load_options* options, size_t si
 /* Forces (N) along the sea plane's axes and moments (N m) about the body's origin. */
 typedef struct seaway_loads {
   uint32_t struct_size;
-  uint32_t status; /* SEAWAY_SAMPLE_... */
+  uint32_t status;            /* SEAWAY_SAMPLE_... */
   double force[3], moment[3]; /* all of the following together; no weight */
   double buoyancy_force[3], buoyancy_moment[3];
   double drag_force[3], drag_moment[3];
@@ -449,15 +447,15 @@ SEAWAY_API const char* seaway_sea_camera_name(const seaway_sea* sea, size_t came
  * turned by yaw, pitch and roll. */
 typedef struct seaway_camera {
   uint32_t struct_size;
-  uint32_t stabilised;   /* 1: mounted, but does not heave, roll or pitch; default 0 */
-  const char* mount;     /* a vessel's name; NULL (default): a fixed camera */
-  double position[3];    /* mounted: in the body frame, m */
+  uint32_t stabilised;                /* 1: mounted, but does not heave, roll or pitch; default 0 */
+  const char* mount;                  /* a vessel's name; NULL (default): a fixed camera */
+  double position[3];                 /* mounted: in the body frame, m */
   double latitude_deg, longitude_deg; /* fixed */
-  double height;         /* fixed: above the still-water level, m; default 2 */
-  double yaw_deg;        /* clockwise */
-  double pitch_deg;      /* up, [-90, 90] */
-  double roll_deg;       /* right side down */
-  double field_of_view_deg; /* vertical, [0.01, 179]; default 60 */
+  double height;                      /* fixed: above the still-water level, m; default 2 */
+  double yaw_deg;                     /* clockwise */
+  double pitch_deg;                   /* up, [-90, 90] */
+  double roll_deg;                    /* right side down */
+  double field_of_view_deg;           /* vertical, [0.01, 179]; default 60 */
 } seaway_camera;
 
 SEAWAY_API void seaway_camera_init(seaway_camera* camera, size_t size);
@@ -465,7 +463,7 @@ SEAWAY_API void seaway_camera_init(seaway_camera* camera, size_t size);
 typedef struct seaway_render_options {
   uint32_t struct_size;
   uint32_t grid_columns, grid_rows; /* of the projected grid, [2, 4096]; 0 (default): the scene's */
-  uint32_t reserved;   /* 0 */
+  uint32_t reserved;                /* 0 */
   const char* backend; /* "osmesa" (default, NULL): on the processor; "egl", "egl:N": a graphics
                           card, from one thread alone */
 } seaway_render_options;
@@ -511,11 +509,11 @@ SEAWAY_API seaway_status seaway_sea_describe(const seaway_sea* sea, char* buffer
 /* ---- structures with their defaults ---------------------------------------------------------- */
 
 /* seaway_T_default() for every structure T above. Inline, so that each caller's own size counts. */
-#define SEAWAY_DEFAULT(T)                   \
-  static inline T T##_default(void) {       \
-    T made;                                 \
-    T##_init(&made, sizeof made);           \
-    return made;                            \
+#define SEAWAY_DEFAULT(T)             \
+  static inline T T##_default(void) { \
+    T made;                           \
+    T##_init(&made, sizeof made);     \
+    return made;                      \
   }
 SEAWAY_DEFAULT(seaway_sea_options)
 SEAWAY_DEFAULT(seaway_points)

@@ -38,8 +38,7 @@ SeaPlanePoint assemble(glm::dvec2 position, double azimuth_deg, double reciproca
   const double radius = glm::length(position);
   if (radius > 0.0) {
     const double planeAzimuth = std::atan2(position.x, position.y);
-    point.convergence =
-        std::remainder(radiansFromDegrees(azimuth_deg) - planeAzimuth, 2.0 * pi);
+    point.convergence = std::remainder(radiansFromDegrees(azimuth_deg) - planeAzimuth, 2.0 * pi);
   }
   // Across the radius lengths grow by 1/rk; along it they are true.
   point.scaleError = 1.0 / reciprocalScale - 1.0;
@@ -52,7 +51,8 @@ SeaPlanePoint assemble(glm::dvec2 position, double azimuth_deg, double reciproca
 Geodesy::Geodesy(const GeodeticPosition& anchor) : anchor_(anchor) {
   if (!(anchor.latitude_deg >= -90.0 && anchor.latitude_deg <= 90.0)) {
     std::ostringstream message;
-    message << "anchor latitude " << anchor.latitude_deg << " is not allowed; must be in [-90, 90] degrees";
+    message << "anchor latitude " << anchor.latitude_deg
+            << " is not allowed; must be in [-90, 90] degrees";
     throw InputError(message.str());
   }
   if (!std::isfinite(anchor.longitude_deg) || !std::isfinite(anchor.height)) {
@@ -101,8 +101,8 @@ glm::dvec3 Geodesy::ecefFromGeodetic(const GeodeticPosition& position) {
 
 GeodeticPosition Geodesy::geodeticFromEcef(glm::dvec3 ecef) {
   GeodeticPosition position;
-  Geocentric::WGS84().Reverse(ecef.x, ecef.y, ecef.z, position.latitude_deg,
-                              position.longitude_deg, position.height);
+  Geocentric::WGS84().Reverse(ecef.x, ecef.y, ecef.z, position.latitude_deg, position.longitude_deg,
+                              position.height);
   return position;
 }
 

@@ -17,10 +17,10 @@ struct GeodeticPosition {
 
 /// A point of the sea plane and what the map does there.
 struct SeaPlanePoint {
-  glm::dvec2 position{0.0};   ///< m, x east and y north at the anchor
-  double convergence = 0.0;   ///< rad counter-clockwise from the plane's +y to true north there
-  double scaleError = 0.0;    ///< largest |map length / true length − 1| over all directions
-  bool inRange = true;        ///< within Geodesy::usableRange() of the anchor
+  glm::dvec2 position{0.0};  ///< m, x east and y north at the anchor
+  double convergence = 0.0;  ///< rad counter-clockwise from the plane's +y to true north there
+  double scaleError = 0.0;   ///< largest |map length / true length − 1| over all directions
+  bool inRange = true;       ///< within Geodesy::usableRange() of the anchor
 };
 
 /// Maps WGS84 to the *sea plane*, the local frame in which waves, vessels and wakes live.

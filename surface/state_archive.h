@@ -10,8 +10,8 @@
 #include "surface/input_error.h"
 
 /// How the state of what moves is written down and read back, bit for bit, on one machine: classes
-/// have `template <class Archive> void archive(Archive&)`, which writes with a StateWriter and reads
-/// with a StateReader into an object made by the same settings.
+/// have `template <class Archive> void archive(Archive&)`, which writes with a StateWriter and
+/// reads with a StateReader into an object made by the same settings.
 namespace seaway {
 
 using StateWriter = cereal::BinaryOutputArchive;
@@ -23,9 +23,7 @@ inline constexpr bool isReader = std::is_same_v<Archive, StateReader>;
 /// A value without pointers in it.
 template <class Archive, class T>
 requires std::is_trivially_copyable_v<T>
-void archivePlain(Archive& archive, T& value) {
-  archive(cereal::binary_data(&value, sizeof(T)));
-}
+void archivePlain(Archive& archive, T& value) { archive(cereal::binary_data(&value, sizeof(T))); }
 
 /// A row of such values; one that is read may have at most `most`.
 template <class Archive, class Row>

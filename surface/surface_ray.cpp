@@ -15,7 +15,8 @@ std::optional<double> distanceToWater(const SurfaceAtTime& water, glm::dvec3 ori
   const TerrainMap* terrain = water.terrain();
   const double bound = std::max(water.heightBound(), terrain ? terrain->highest() : 0.0);
   double meanSquare = 0.0;
-  for (const Octave& octave : water.waves().field().octaves()) meanSquare += meanSquareSlope(octave);
+  for (const Octave& octave : water.waves().field().octaves())
+    meanSquare += meanSquareSlope(octave);
   const double steepest =
       std::max(6.0 * std::sqrt(meanSquare), terrain ? terrain->steepest() : 0.0);
   const double curvature = options.curved ? 1.0 / earthMeanRadius : 0.0;

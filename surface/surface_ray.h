@@ -12,13 +12,13 @@ struct RayOptions {
   double nearDistance = 0.1;   ///< m: where the ray starts
   double farDistance = 100e3;  ///< m: where it gives up
   double leastStep = 1e-3;     ///< part of the distance travelled
-  bool curved = true;          ///< bend the sea below the origin (`seaDrop`); false: a flat sea plane
+  bool curved = true;  ///< bend the sea below the origin (`seaDrop`); false: a flat sea plane
 };
 
-/// Distance in metres along a ray to the water, from above or from below: its first hit; empty where
-/// it meets none, or where the ray is not finite; outside the water's outline flat ground at
-/// still-water level ends the ray, and so does terrain that stands above the water. For lidars, radars and cameras; the truth that
-/// images and depths are compared with.
+/// Distance in metres along a ray to the water, from above or from below: its first hit; empty
+/// where it meets none, or where the ray is not finite; outside the water's outline flat ground at
+/// still-water level ends the ray, and so does terrain that stands above the water. For lidars,
+/// radars and cameras; the truth that images and depths are compared with.
 ///
 /// `origin` is in the sea plane's frame (its foot point is where the sea's curvature is measured
 /// from), `direction` a unit vector. Steps follow the height above water over

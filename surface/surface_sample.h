@@ -12,14 +12,14 @@ namespace seaway {
 /// What an answer wants the asker to know; a set of bits, 0 is "ok".
 enum class SampleStatus : std::uint32_t {
   ok = 0,
-  truncated = 1u << 0,   ///< octaves were left out, as the options allow; `error` says how much
-  notFinite = 1u << 1,   ///< the point or the time was NaN or infinite; values are NaN
-  outOfRange = 1u << 2,  ///< a place or time too far to be served; values are NaN. The field sets
-                         ///< it beyond WaveField::farthest and latest, geodetic queries beyond
-                         ///< Geodesy::usableRange
-  noKinematics = 1u << 3,   ///< the field has Perlin octaves: orbital motion is not defined, NaN
-  aboveSurface = 1u << 4,   ///< the point is in the air: no water motion there, NaN
-  belowBed = 1u << 5,       ///< the point is in the sea bed, or the bed has fallen dry: NaN
+  truncated = 1u << 0,     ///< octaves were left out, as the options allow; `error` says how much
+  notFinite = 1u << 1,     ///< the point or the time was NaN or infinite; values are NaN
+  outOfRange = 1u << 2,    ///< a place or time too far to be served; values are NaN. The field sets
+                           ///< it beyond WaveField::farthest and latest, geodetic queries beyond
+                           ///< Geodesy::usableRange
+  noKinematics = 1u << 3,  ///< the field has Perlin octaves: orbital motion is not defined, NaN
+  aboveSurface = 1u << 4,  ///< the point is in the air: no water motion there, NaN
+  belowBed = 1u << 5,      ///< the point is in the sea bed, or the bed has fallen dry: NaN
   wakeOutOfTime = 1u << 6,  ///< the time is before or after the wakes' snapshot: its nearer end is
                             ///< given
   wakePartial = 1u << 7,  ///< some of a wake's waves are missing or too low here: the point lies in

@@ -137,8 +137,7 @@ void addExtras(const FieldAtTime& now, const SurfaceExtras& extras,
 /// Kinematics of up to a tile of points.
 void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
                 const SurfaceExtras* extras, std::span<const glm::dvec3> points,
-                std::span<WaterKinematics> out,
-                const SampleOptions& options) noexcept {
+                std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
   const WaveField& waves = now.field();
   const std::size_t count = points.size();
   std::array<glm::dvec2, pointsPerTile> places;
@@ -152,8 +151,8 @@ void sampleTile(const FieldAtTime& now, const DisturbanceState* disturbances,
   now.sample(at, std::span(surface.data(), count), heights);
   std::array<SurfaceChange, pointsPerTile> change;
   if (extras) {
-    addExtras(now, *extras, at, std::span(surface.data(), count),
-              std::span(change.data(), count), options);
+    addExtras(now, *extras, at, std::span(surface.data(), count), std::span(change.data(), count),
+              options);
   }
   if (disturbances) {
     disturbances->addTo(at, now.time(), std::span(surface.data(), count), heights);
@@ -191,7 +190,8 @@ void sampleKinematics(const FieldAtTime& now, std::span<const glm::dvec3> points
                       std::span<WaterKinematics> out, const SampleOptions& options) noexcept {
   for (std::size_t first = 0; first < points.size(); first += pointsPerTile) {
     const std::size_t count = std::min(pointsPerTile, points.size() - first);
-    sampleTile(now, nullptr, nullptr, points.subspan(first, count), out.subspan(first, count), options);
+    sampleTile(now, nullptr, nullptr, points.subspan(first, count), out.subspan(first, count),
+               options);
   }
 }
 

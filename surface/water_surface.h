@@ -26,8 +26,8 @@ class WaterSurface;
 /// See WaterSurface::bedAt.
 inline double bedHeight(const TerrainMap* terrain, const WaveField& waves,
                         glm::dvec2 point) noexcept {
-  const double ground = terrain ? terrain->heightAt(point)
-                                : -std::numeric_limits<double>::infinity();
+  const double ground =
+      terrain ? terrain->heightAt(point) : -std::numeric_limits<double>::infinity();
   return std::isinf(ground) ? -waves.settings().depth : ground;
 }
 
@@ -174,9 +174,7 @@ class WaterSurface {
   /// Height of the sea bed or the ground above the still-water level, m: the terrain's on its map,
   /// the field's depth beyond (−∞ in deep water). The water column at a point is the sample's
   /// height less this.
-  double bedAt(glm::dvec2 point) const noexcept {
-    return bedHeight(terrain_.get(), waves_, point);
-  }
+  double bedAt(glm::dvec2 point) const noexcept { return bedHeight(terrain_.get(), waves_, point); }
 
   /// Splashes, rain, layers and ripples from now on. Not while others sample.
   void setEvents(std::shared_ptr<const SurfaceEvents> events) {

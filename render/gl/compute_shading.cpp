@@ -3,13 +3,11 @@
 namespace seaway::render {
 
 ComputeShading::ComputeShading()
-    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h", "waterline.glsl.h",
-                                   "shadows.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
-                                   "under_water.glsl.h",
-                                   "shade.comp"})) {}
+    : program_(GlProgram::compute({"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h",
+                                   "waterline.glsl.h", "shadows.glsl.h", "night_lights.glsl.h",
+                                   "sea_shading.glsl.h", "under_water.glsl.h", "shade.comp"})) {}
 
-void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input,
-                           bool wantsRadiance) {
+void ComputeShading::shade(FrameTargets& targets, const ShadingInput& input, bool wantsRadiance) {
   setShadingConstants(program_, input.constants);
   if (input.sky) program_.setTexture("dome", 0, textures_.dome(*input.sky));
   program_.setTexture("surfaceMap", 1, targets.surface);

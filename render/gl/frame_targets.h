@@ -39,8 +39,8 @@ struct FrameTargets {
   GlTexture displayBytes_;
 };
 
-/// Copies what `frame` has room for beside colour, depth, classes and normals: radiance, instances of
-/// `objects`, foam as `constants` shade it. To be called after readBack.
+/// Copies what `frame` has room for beside colour, depth, classes and normals: radiance, instances
+/// of `objects`, foam as `constants` shade it. To be called after readBack.
 void readContents(const FrameTargets& targets, std::span<const SceneObject> objects,
                   const ShadingConstants& constants, Frame& frame);
 

@@ -45,8 +45,8 @@ void GpuNormalsPass::draw(const FrameTargets&, const glm::mat4& clipFromRelative
 }
 
 std::size_t GpuNormalsPass::memoryBytes() const {
-  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() + indices_.memoryBytes() +
-         waves_.memoryBytes();
+  return grid_.memoryBytes() + mesh_.memoryBytes() + vertices_.memoryBytes() +
+         indices_.memoryBytes() + waves_.memoryBytes();
 }
 
 }  // namespace seaway::render

@@ -54,8 +54,7 @@ void ProjectedWaves::useCover(const GlProgram& program) const {
 std::size_t ProjectedWaves::memoryBytes() const {
   const auto of = [](const auto& part) { return part ? part->memoryBytes() : 0; };
   return map_.memoryBytes() + coverMap_.memoryBytes() + outline_.memoryBytes() + of(stampMap_) +
-         of(stampPass_) + of(wakePass_) + wakes_.memoryBytes() +
-         rows_.capacity() * sizeof(TwinRow);
+         of(stampPass_) + of(wakePass_) + wakes_.memoryBytes() + rows_.capacity() * sizeof(TwinRow);
 }
 
 }  // namespace seaway::render

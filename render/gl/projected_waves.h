@@ -22,8 +22,8 @@ class ProjectedWaves {
   /// `way` as the context is quicker: compute shaders on hardware, fragment shaders in software.
   ProjectedWaves();
 
-  /// Fills the map for a grid of `size`, wakes of the view's water and `stamps` added. Neither costs
-  /// anything while there are none.
+  /// Fills the map for a grid of `size`, wakes of the view's water and `stamps` added. Neither
+  /// costs anything while there are none.
   void fill(const View& view, const Projector& projector, glm::ivec2 size,
             std::span<const Stamp> stamps = {});
 

@@ -41,12 +41,12 @@ void SeaMesh::fill(const SeaGrid& grid, const Camera& camera) {
   tbb::parallel_for(0, size.y, [&](int row) {
     for (int column = 0; column < size.x; ++column) {
       const std::size_t i = static_cast<std::size_t>(row) * size.x + column;
-      vertices_[i] = {{grid.x()[i], grid.y()[i], grid.z()[i]},
-                      {grid.slopeX()[i], grid.slopeY()[i]},
-                      grid.height()[i],
-                      grid.missingSlope()[row] +
-                          (grid.missingWakes().empty() ? 0.0f : grid.missingWakes()[i]),
-                      grid.cover().empty() ? 0u : grid.cover()[i]};
+      vertices_[i] = {
+          {grid.x()[i], grid.y()[i], grid.z()[i]},
+          {grid.slopeX()[i], grid.slopeY()[i]},
+          grid.height()[i],
+          grid.missingSlope()[row] + (grid.missingWakes().empty() ? 0.0f : grid.missingWakes()[i]),
+          grid.cover().empty() ? 0u : grid.cover()[i]};
       outside_[i] = sides.beyond(vertices_[i].position);
     }
   });

@@ -217,8 +217,8 @@ ShadingPass::ShadingPass()
     : sky_(makeShader("shade_sky.frag")),
       toneMap_({"full_screen.vert"},
                {"shading_prelude.glsl", "rain_rings.glsl.h", "optics.glsl.h", "waterline.glsl.h",
-                "shadows.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h",
-                "under_water.glsl.h", "tone_map.frag"}) {}
+                "shadows.glsl.h", "night_lights.glsl.h", "sea_shading.glsl.h", "under_water.glsl.h",
+                "tone_map.frag"}) {}
 
 void ShadingPass::shadeClass(const GlProgram& program, StencilClass which,
                              const FrameTargets& targets, const ShadingInput& input) {

@@ -15,7 +15,7 @@ namespace seaway::render {
 /// What shading needs to know beside the geometry framebuffer.
 struct ShadingInput {
   ShadingConstants constants;
-  const SkyDome* sky = nullptr;  ///< null: the sky is switched off
+  const SkyDome* sky = nullptr;       ///< null: the sky is switched off
   const LocalLight* local = nullptr;  ///< read where the constants say so, as the next two
   const ShadowMaps* shadows = nullptr;
   GLuint waterline = 0;  ///< texture of the waterline's heights

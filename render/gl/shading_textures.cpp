@@ -58,8 +58,7 @@ GLuint ShadingTextures::ripples() {
   constexpr int wholeSide = ShadingTables::rippleSide, levels = ShadingTables::rippleLevels;
   ripples_ = makeTexture(GL_RG32F, {wholeSide, wholeSide}, GL_LINEAR, levels);
   forEachLevel(wholeSide, levels, [&](int level, int side, int first) {
-    glTextureSubImage2D(ripples_, level, 0, 0, side, side, GL_RG, GL_FLOAT,
-                        texels.data() + first);
+    glTextureSubImage2D(ripples_, level, 0, 0, side, side, GL_RG, GL_FLOAT, texels.data() + first);
   });
   glTextureParameteri(ripples_, GL_TEXTURE_WRAP_S, GL_REPEAT);
   glTextureParameteri(ripples_, GL_TEXTURE_WRAP_T, GL_REPEAT);

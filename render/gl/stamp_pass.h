@@ -32,7 +32,7 @@ class StampPass {
   /// Draws `stamps` around the origin `foot` into the map that has begun, over `rows` of `columns`
   /// points, which must be bound (WaveMap::uploadRows). Leaves its own vertex array bound.
   void draw(std::span<const Stamp> stamps, glm::dvec2 foot, std::span<const TwinRow> rows,
-              int columns);
+            int columns);
 
   std::size_t memoryBytes() const { return instances_.memoryBytes(); }
 

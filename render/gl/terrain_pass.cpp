@@ -6,8 +6,8 @@
 namespace seaway::render {
 
 TerrainPass::TerrainPass()
-    : program_({"terrain.vert"}, {"terrain_detail_glsl.glsl", "terrain_detail.glsl.h",
-                                  "terrain.frag"}),
+    : program_({"terrain.vert"},
+               {"terrain_detail_glsl.glsl", "terrain_detail.glsl.h", "terrain.frag"}),
       array_(makeVertexArray()) {
   glVertexArrayVertexBuffer(array_, 0, vertices_, 0, sizeof(glm::vec3));
   floatAttribute(array_, 0, 3, 0);

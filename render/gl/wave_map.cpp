@@ -24,10 +24,12 @@ struct TallyBlock {
 GlProgram makeProgram(WaveMap::Way way) {
   if (way == WaveMap::Way::compute) {
     return GlProgram::compute({"field_buffers.glsl", "field.glsl", "field_sum.glsl",
-                               "curved_sea.glsl", "outline.glsl", "wave_map.glsl", "wave_map.comp"});
+                               "curved_sea.glsl", "outline.glsl", "wave_map.glsl",
+                               "wave_map.comp"});
   }
-  return GlProgram({"full_screen.vert"}, {"field_buffers.glsl", "field.glsl", "field_sum.glsl",
-                                          "curved_sea.glsl", "outline.glsl", "wave_map.glsl", "wave_map.frag"});
+  return GlProgram({"full_screen.vert"},
+                   {"field_buffers.glsl", "field.glsl", "field_sum.glsl", "curved_sea.glsl",
+                    "outline.glsl", "wave_map.glsl", "wave_map.frag"});
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ BandLimitedSea::Point BandLimitedSea::row(int index, glm::dvec2 point) const {
   if (wakes_.empty()) return carried;
   float height = 0.0f, x = 0.0f, y = 0.0f, missing = 0.0f;
   const auto one = [](auto& value) { return std::span(&value, 1); };
-  wakes_.addTo(one(point.x), one(point.y), plan.spacing, {one(height), one(x), one(y), one(missing)});
+  wakes_.addTo(one(point.x), one(point.y), plan.spacing,
+               {one(height), one(x), one(y), one(missing)});
   return {carried.height + height, carried.slope + glm::dvec2(x, y),
           carried.missingSlope + missing};
 }

@@ -78,8 +78,8 @@ void ReferenceTechnique::rasterSea(const View& view, Strip& strip) {
       // As far as the sea may be seen, or through all its depth of waves.
       const double farthest =
           std::min(reach_ / level, 2.0 * reach_ + 4.0 * std::abs(camera.position.z));
-      const auto distance = surface.distance(camera.position.z, ray,
-                                             camera.nearDistance / cosine, farthest);
+      const auto distance =
+          surface.distance(camera.position.z, ray, camera.nearDistance / cosine, farthest);
       if (!distance) continue;
       strip.inverse[static_cast<std::size_t>(line) * strip.stride + column] =
           static_cast<float>(1.0 / (*distance * cosine));

@@ -44,15 +44,15 @@ SHADER Real meanPositive(Real mean, Real variance) {
 
 // Radiance for each irradiance of a light that facets of Gaussian slopes mirror (Cox & Munk's
 // picture): Fresnel × density of the slope that mirrors, over 4 cos⁴ of its tilt and the area the
-// viewer sees. `lit`: part of the facets that no wave hides from the light. Slopes on the surface as
-// it is drawn, whose facing has the root `rootFacing`: waves that are not drawn, `waves` their mean
-// square; finer ones that the pixel cannot show, `fine` their variance along an axis; and `ripples`,
-// the variance of those that are in `slope` but not drawn, which must not count as often as the
-// pixels that they turn to the viewer.
+// viewer sees. `lit`: part of the facets that no wave hides from the light. Slopes on the surface
+// as it is drawn, whose facing has the root `rootFacing`: waves that are not drawn, `waves` their
+// mean square; finer ones that the pixel cannot show, `fine` their variance along an axis; and
+// `ripples`, the variance of those that are in `slope` but not drawn, which must not count as often
+// as the pixels that they turn to the viewer.
 //
-// Fine slopes hide one another on each wave (Smith 1967), more on one that turns away. Waves that are
-// drawn show that; for those that are not, the mean of what is left of their facing, of waves on
-// which the mirroring slope lies, stands for it.
+// Fine slopes hide one another on each wave (Smith 1967), more on one that turns away. Waves that
+// are drawn show that; for those that are not, the mean of what is left of their facing, of waves
+// on which the mirroring slope lies, stands for it.
 SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real waves,
                              Real fine, Real rootFacing, Real ripples) {
   Real3 halfway = toViewer + toLight;
@@ -64,7 +64,8 @@ SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real lit, Real2 slop
   Real mean = 0.5f * waves + fine + 1.2e-5f;
   Real leanX = 0.5f * waves * waveLean.x;
   Real leanY = 0.5f * waves * waveLean.y;
-  // Covariance ((mean + leanX, leanY), (leanY, mean − leanX)): its determinant, its inverse on `off`.
+  // Covariance ((mean + leanX, leanY), (leanY, mean − leanX)): its determinant, its inverse on
+  // `off`.
   Real perArea = 1.0f / (mean * mean - leanX * leanX - leanY * leanY);
   Real pullX = ((mean - leanX) * offX - leanY * offY) * perArea;
   Real pullY = ((mean + leanX) * offY - leanY * offX) * perArea;
@@ -81,14 +82,13 @@ SHADER Real mirroredByFacets(Real3 toViewer, Real3 toLight, Real lit, Real2 slop
     along = along * level;
     // Of waves on which the mirroring slope lies.
     Real2 pull = Real2(pullX, pullY);
-    Real turned = 0.5f * waves * dot(viewer, pull) +
-                  leanX * (viewer.x * pullX - viewer.y * pullY) +
+    Real turned = 0.5f * waves * dot(viewer, pull) + leanX * (viewer.x * pullX - viewer.y * pullY) +
                   leanY * (viewer.x * pullY + viewer.y * pullX);
     Real facing = max(cosine, 0.01f);
     Real left = along * fine / (along + fine + 1e-6f);
-    Real shown = meanPositive(facing - turned, left) * meanPositive(facing, along + rough) /
-                 (max(meanPositive(facing - turned, left + rough), 1e-4f) *
-                  meanPositive(facing, along));
+    Real shown =
+        meanPositive(facing - turned, left) * meanPositive(facing, along + rough) /
+        (max(meanPositive(facing - turned, left + rough), 1e-4f) * meanPositive(facing, along));
     Real mirrored = max(dot(toViewer, halfway), 0.0f);
     strength = lit * shown * fresnel(mirrored, 1.34f) * density /
                (4.0f * tall * tall * tall * tall * max(area, 0.02f));
@@ -122,8 +122,8 @@ SHADER Real mirroredByLobe(Real3 toViewer, Real3 toLight, Real2 slope) {
   return strength;
 }
 
-SHADER Real mirroredLight(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real waves, Real fine,
-                          Real rootFacing, Real ripples) {
+SHADER Real mirroredLight(Real3 toViewer, Real3 toLight, Real lit, Real2 slope, Real waves,
+                          Real fine, Real rootFacing, Real ripples) {
   Real strength = Real(0.0f);
   if (specular == 0) {
     strength = mirroredByFacets(toViewer, toLight, lit, slope, waves, fine, rootFacing, ripples);

@@ -51,15 +51,15 @@ struct PixelSpan {
 /// What a frame is shaded with.
 struct ShadingSources {
   const ShadingConstants& constants;
-  const std::uint32_t* sky = nullptr;     ///< SkyDome::texels; null: the sky is switched off
-  const LocalImage* mirrored = nullptr;   ///< read where constants.mirrorIsOn
-  const LocalImage* below = nullptr;      ///< read where constants.belowIsOn
-  const LocalImage* window = nullptr;    ///< read where constants.windowIsOn
-  const LocalImage* depths = nullptr;    ///< read where constants.depthsAreOn
-  const float* shadows = nullptr;        ///< ShadowMaps::texels, where constants.shadowCount > 0
-  int shadowWidth = 0;                   ///< texels from row to row
+  const std::uint32_t* sky = nullptr;       ///< SkyDome::texels; null: the sky is switched off
+  const LocalImage* mirrored = nullptr;     ///< read where constants.mirrorIsOn
+  const LocalImage* below = nullptr;        ///< read where constants.belowIsOn
+  const LocalImage* window = nullptr;       ///< read where constants.windowIsOn
+  const LocalImage* depths = nullptr;       ///< read where constants.depthsAreOn
+  const float* shadows = nullptr;           ///< ShadowMaps::texels, where constants.shadowCount > 0
+  int shadowWidth = 0;                      ///< texels from row to row
   const CoverTiles* shadowTiles = nullptr;  ///< ShadowMaps::tiles; null: shadows may fall anywhere
-  const float* waterline = nullptr;      ///< Waterline::heights, where constants.waterlineIsOn
+  const float* waterline = nullptr;         ///< Waterline::heights, where constants.waterlineIsOn
 };
 
 /// sRGB colours of a span's pixels, 3 bytes each. Pixels do not depend on their place in the span.
@@ -77,8 +77,8 @@ struct ToneMapping {
 void mapTones(std::span<const glm::vec3> radiance, const ToneMapping& tones, glm::ivec2 first,
               std::uint8_t* rgb);
 
-/// Part of each of a span's pixels that is white with foam, [0, 1], where constants.foamIsOn; 0 but for
-/// water. `parts` is aligned to 64 bytes and writable up to the next multiple of 16.
+/// Part of each of a span's pixels that is white with foam, [0, 1], where constants.foamIsOn; 0 but
+/// for water. `parts` is aligned to 64 bytes and writable up to the next multiple of 16.
 void foamParts(const ShadingSources& sources, const PixelSpan& span, float* parts);
 
 /// Slopes that shading sees at pixels of water: those of waves and ripples in xy, and in z the

@@ -44,8 +44,8 @@ SHADER Real2 rainSlopeAt(Real2 relative) {
       Real part = offset + rainPart;
       Word count = word(rainCount) + wordOf(floor(part));
       part = part - floor(part);
-      Word place = rainHash(column, row, word(rainSeed) + count * word(0x297A2D39u),
-                            word(number + 1u));
+      Word place =
+          rainHash(column, row, word(rainSeed) + count * word(0x297A2D39u), word(number + 1u));
       Real2 off = Real2(inX - unitOf(place) * rainCellSize,
                         inY - unitOf(shiftedDown(place, 16)) * rainCellSize);
       Real falls = choose(offset + float(slot) < Real(rainDrops), Real(1.0f), Real(0.0f));
@@ -57,8 +57,8 @@ SHADER Real2 rainSlopeAt(Real2 relative) {
 
 // Adds the rings to the slope; what the pixel cannot show of them is returned as mean-square slope.
 SHADER Real addRain(Real3 relative, Real footprint, INOUT(Real2) slope) {
-  Real kept = 1.0f - smoothstep(Real(0.25f * rainWavelength), Real(0.7f * rainWavelength),
-                                footprint);
+  Real kept =
+      1.0f - smoothstep(Real(0.25f * rainWavelength), Real(0.7f * rainWavelength), footprint);
   if (anyOf(kept > 0.0f)) slope = slope + rainSlopeAt(Real2(relative.x, relative.y)) * kept;
   return rainMeanSquare * (1.0f - kept * kept);
 }

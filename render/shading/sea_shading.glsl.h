@@ -7,8 +7,9 @@
 // instead of ?:, `if` only on `anyOf`. Surroundings provide skyTexel, rippleMoments, foamTexel,
 // roughMirror, roughArea, and of LocalLight's pictures nearness (1/axial distance at a pixel, 0
 // where there is nothing) and light (between pixels, times the part that is covered, which is
-// returned too), mirrorMayShow, which may say no where none of a vector's rays meets anything, and rain_rings.glsl.h, optics.glsl.h, waterline.glsl.h, shadows.glsl.h and
-// night_lights.glsl.h before this text.
+// returned too), mirrorMayShow, which may say no where none of a vector's rays meets anything, and
+// rain_rings.glsl.h, optics.glsl.h, waterline.glsl.h, shadows.glsl.h and night_lights.glsl.h before
+// this text.
 
 // Bends water's mirror sharpness into the dome's mip level: a lobe of that slope deviation.
 SHADER Real blurLevel(Real deviation) { return log2(1.0f + 340.0f * deviation); }
@@ -81,8 +82,8 @@ SHADER Real meetsMirror(Real2 from, Real2 to) {
   return choose(max(from.x, to.x) > mirrorLeast.x - 1.0f, meets, Real(0.0f));
 }
 
-// What of the scene's objects lies on such a ray, times the part of it that shows any: where the ray
-// first lies behind something that lies behind the water's surface. `from` and `onwards` as
+// What of the scene's objects lies on such a ray, times the part of it that shows any: where the
+// ray first lies behind something that lies behind the water's surface. `from` and `onwards` as
 // inPicture has them.
 SHADER Real3 mirroredObjects(Real3 from, Real3 onwards, INOUT(Real) part) {
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
@@ -118,8 +119,7 @@ SHADER Real3 mirroredObjects(Real3 from, Real3 onwards, INOUT(Real) part) {
 }
 
 // Whether the rays of all facets that count end within pixels that what is mirrored is among.
-SHADER Real raysMeetMirror(Real3 from, Real3 toViewer, Real2 slope, Real2 towards,
-                           Real deviation) {
+SHADER Real raysMeetMirror(Real3 from, Real3 toViewer, Real2 slope, Real2 towards, Real deviation) {
   Real2 low = pixelThere(from);
   Real2 high = low;
   for (int i = -1; i < 2; i += 2) {
@@ -139,7 +139,8 @@ SHADER Real3 roughlyMirrored(Real3 relative, Real3 toViewer, Real2 slope, Real2 
   Real3 light = Real3(0.0f, 0.0f, 0.0f);
   Real3 from = inPicture(relative);
   Real meets = choose(from.z < mirrorFarthest, Real(1.0f), Real(0.0f));
-  if (anyOf(meets > 0.0f)) meets = meets * raysMeetMirror(from, toViewer, slope, towards, deviation);
+  if (anyOf(meets > 0.0f))
+    meets = meets * raysMeetMirror(from, toViewer, slope, towards, deviation);
   if (anyOf(meets > 0.0f)) {
     for (int i = -2; i < 3; ++i) {
       Real2 facet = slope + towards * (deviation * (1.04f * float(i)));
@@ -180,8 +181,8 @@ SHADER Real3 refractedObjects(Real3 relative, Real axial, Real perAxial, Real2 s
   Real beyond = choose(nearness > 0.0f, 1.0f / max(nearness, 1e-6f) - axial, Real(0.5f)) * perAxial;
   Real apparent = max(beyond, 0.0f) * max(toViewer.z, 0.05f);
   Real shift = 0.34f * min(apparent, 4.0f);
-  Real3 place = relative - toViewer * max(beyond, 0.0f) +
-                Real3(slope.x * shift, slope.y * shift, Real(0.0f));
+  Real3 place =
+      relative - toViewer * max(beyond, 0.0f) + Real3(slope.x * shift, slope.y * shift, Real(0.0f));
   Real placeAxial = max(dot(place, Real3(forward)), 1e-3f);
   Real2 pixel = pixelOf(place, placeAxial);
   // A bed goes on beyond the picture.
@@ -292,8 +293,8 @@ SHADER Real3 upwelling(Real3 toViewer, Real2 slope, Real height, Real white, Rea
 SHADER Real whitecaps(Real2 slope, Real missingSlope, Real height) {
   Real kept = clamp(1.0f - missingSlope * perTotalSlope, 0.0f, 1.0f);
   Real elevation = height * whitecapPerHeight;
-  Real ahead = -(slope.x * whitecapAlong.x + slope.y * whitecapAlong.y) *
-               inversesqrt(max(kept, 0.1f));
+  Real ahead =
+      -(slope.x * whitecapAlong.x + slope.y * whitecapAlong.y) * inversesqrt(max(kept, 0.1f));
   Real crests =
       clamp((0.857f * elevation + 0.515f * ahead - breakingRamp.x) * breakingRamp.y, 0.0f, 1.0f) +
       clamp((0.5f * elevation - 0.866f * ahead - oldRamp.x) * oldRamp.y, 0.0f, 1.0f) * oldRamp.z;
@@ -331,9 +332,9 @@ SHADER Real foamOpacity(Real3 relative, Real footprint, Real cover) {
   return mix(cover, lace, kept);
 }
 
-// Adds to the waves' slope what is finer; returned is the mean-square slope of what is finer that the
-// pixel cannot show. `waves`: that of waves, the missing ones as they come. `rippled`: that of the
-// ripples in the slope.
+// Adds to the waves' slope what is finer; returned is the mean-square slope of what is finer that
+// the pixel cannot show. `waves`: that of waves, the missing ones as they come. `rippled`: that of
+// the ripples in the slope.
 SHADER Real seenSlope(Real3 relative, Real footprint, Real3 cover, INOUT(Real2) slope,
                       INOUT(Real) waves, INOUT(Real) rippled) {
   // Smooth water lacks short waves, in slopes as in samples.
@@ -356,8 +357,8 @@ SHADER Real footprintOn(Real3 toViewer, Real distance, Real2 slope) {
   return 1.4f * pixelAngle * distance * inversesqrt(max(facing, 0.02f));
 }
 
-// Part of a pixel of water that is white with foam, as waterRadiance mixes it in. `lying`: foam that
-// lies on the water, [0, 1].
+// Part of a pixel of water that is white with foam, as waterRadiance mixes it in. `lying`: foam
+// that lies on the water, [0, 1].
 SHADER Real foamPart(Real3 relative, Real distance, Real2 slope, Real missingSlope, Real height,
                      Real lying) {
   Real3 toViewer = -relative / distance;
@@ -429,11 +430,12 @@ SHADER Real3 waterRadiance(Real3 relative, Real distance, Real2 waveSlope, Real 
   }
   if (lampCount > 0) {
     colour = colour + lampGlitter(relative, toViewer, slope, waves, 0.5f * finer, rootFacing,
-                                  0.5f * rippled) * open;
+                                  0.5f * rippled) *
+                          open;
   }
   if (anyOf(white > 0.0f)) {
-    Real lit = max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) *
-               upright;
+    Real lit =
+        max(sunDirection.z - slope.x * sunDirection.x - slope.y * sunDirection.y, 0.0f) * upright;
     Real3 whiteWater = Real3(foamSky) + Real3(foamSun) * (lit * sunlit);
     if (lampCount > 0) {
       whiteWater = whiteWater + lampLightOn(relative, Real3(0.0f, 0.0f, 1.0f)) * 0.5f;
@@ -476,8 +478,9 @@ SHADER Real3 objectRadiance(Real3 relative, Real distance, Real3 normal, Real3 r
   Real3 lower = mix(Real3(0.06f * skyLight), Real3(veil), wetted);
   Real3 light = mix(lower, ambient, 0.5f + 0.5f * normal.z) + Real3(sunLight) * facing;
   if (lampCount > 0) light = light + lampLightOn(relative, normal);
-  // Light that has come down through the water, the way of the sun's. From below the surface mirrors
-  // 48 % of diffuse light back to it, again and again: 1 − (1 − 0.068)/1.34², by what it mirrors above.
+  // Light that has come down through the water, the way of the sun's. From below the surface
+  // mirrors 48 % of diffuse light back to it, again and again: 1 − (1 − 0.068)/1.34², by what it
+  // mirrors above.
   Real3 clear = leftInWater(depth * (1.0f / sunInWater.z));
   Real3 colour = reflectance * light * clear /
                  (Real3(1.0f, 1.0f, 1.0f) - reflectance * clear * (0.48f * wetted));

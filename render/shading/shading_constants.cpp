@@ -31,12 +31,12 @@ static_assert(ShadingConstants::rainCellSize == static_cast<float>(Rain::cell) &
               ShadingConstants::rainHeight == static_cast<float>(Rain::ringHeight));
 
 constexpr float floatPi = static_cast<float>(pi);
-constexpr glm::vec3 plainSky(1.2f);  // where the sky is switched off
+constexpr glm::vec3 plainSky(1.2f);                              // where the sky is switched off
 constexpr glm::vec3 deepReflectance(0.0050f, 0.0300f, 0.0520f);  // of light below the surface
 // 1/m, of clear water: 5 % of red, green and blue are left after 4.5, 75 and 300 m (Toman).
 constexpr glm::vec3 clearExtinction = 3.0f / glm::vec3(4.5f, 75.0f, 300.0f);
 constexpr glm::vec3 crestTransmission(0.020f, 0.110f, 0.095f);
-constexpr glm::vec3 foamReflectance(0.52f, 0.55f, 0.56f);        // of white water, not dense
+constexpr glm::vec3 foamReflectance(0.52f, 0.55f, 0.56f);  // of white water, not dense
 constexpr glm::vec3 bubbleReflectance(0.010f, 0.055f, 0.062f);
 constexpr glm::vec3 oilReflectance(0.010f, 0.008f, 0.006f);
 
@@ -105,8 +105,8 @@ void setRipples(ShadingConstants& c, const View& view) {
   const Ripples ripples = ripplesFor(view.water->waves(), view.light.windSpeed);
   c.waveLean = glm::vec2(BandLimit(view.water->waves()).lean());
   c.ripplesAreOn = ripples.layerSlope > 0.0;
-  const double slope = BandLimit(view.water->waves()).totalSlope() + 2.0 * ripples.layerSlope +
-                       ripples.hairSlope;
+  const double slope =
+      BandLimit(view.water->waves()).totalSlope() + 2.0 * ripples.layerSlope + ripples.hairSlope;
   c.seaDeviation = static_cast<float>(std::sqrt(0.5 * slope));
   c.sunlitFacets = litFacets(c.sunDirection.z, c.seaDeviation);
   c.rippleDeviation = static_cast<float>(std::sqrt(ripples.layerSlope));
@@ -118,8 +118,8 @@ void setRipples(ShadingConstants& c, const View& view) {
     const glm::dmat2& matrix = ripples.textureFromWorld[layer];
     c.rippleFromWorld[2 * layer] = glm::vec2(matrix[0]);
     c.rippleFromWorld[2 * layer + 1] = glm::vec2(matrix[1]);
-    c.rippleOrigin[layer] = glm::vec2(
-        ripples.textureCoordinate(layer, glm::dvec2(view.camera.position), view.time));
+    c.rippleOrigin[layer] =
+        glm::vec2(ripples.textureCoordinate(layer, glm::dvec2(view.camera.position), view.time));
     const double scale = glm::length(matrix[0]);
     c.rippleTexelsPerMetre[layer] = static_cast<float>(scale * ShadingTables::rippleSide);
     // World from patch is the matrix's transpose but for scale: its first column is the first row.
@@ -188,8 +188,7 @@ void setFoam(ShadingConstants& c, const View& view) {
   // Sizes and angles without a common measure: the three repeat together nowhere in view. Foam is
   // carried along by the current.
   const double sides[3] = {61.0, 9.7, 2.37}, angles[3] = {0.85, 0.35, 1.93};
-  const glm::dvec2 foot =
-      glm::dvec2(view.camera.position) - waves.settings().current * view.time;
+  const glm::dvec2 foot = glm::dvec2(view.camera.position) - waves.settings().current * view.time;
   for (int layer = 0; layer < 3; ++layer) {
     const glm::dvec2 axis = unitVector(angles[layer]) / sides[layer];
     c.foamAxis[layer] = glm::vec2(axis);

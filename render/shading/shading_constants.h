@@ -19,7 +19,7 @@ struct ShadingConstants {
   glm::vec3 forward{1.0f, 0.0f, 0.0f};
   /// Of the picture at 1 m: its middle, from there to its right and its upper edge.
   glm::vec3 middleRay{1.0f, 0.0f, 0.0f}, right{0.0f}, up{0.0f};
-  float pixelAngle = 0.0f;                                      ///< rad
+  float pixelAngle = 0.0f;  ///< rad
   /// Pixel of a place p from the camera, (0, 0) the top left one's centre: (dot(p, pixelRight),
   /// dot(p, pixelDown)) / dot(p, forward) + pixelMiddle.
   glm::vec3 pixelRight{0.0f}, pixelDown{0.0f};
@@ -28,11 +28,11 @@ struct ShadingConstants {
   // light
   bool sunIsOn = false, skyIsOn = false;
   glm::vec3 sunDirection{0.0f, 0.0f, 1.0f};
-  glm::vec3 sunLight{0.0f};  ///< irradiance on a plane that faces the sun
-  glm::vec3 skyLight{0.0f};  ///< mean radiance of the upper hemisphere
-  float seaDeviation = 0.0f;   ///< of all the sea's slopes along an axis, whatever carries them
-  float sunlitFacets = 1.0f;   ///< part of them that no wave hides from the sun
-  glm::vec2 levelSun{0.0f};    ///< horizontal part of sunDirection
+  glm::vec3 sunLight{0.0f};   ///< irradiance on a plane that faces the sun
+  glm::vec3 skyLight{0.0f};   ///< mean radiance of the upper hemisphere
+  float seaDeviation = 0.0f;  ///< of all the sea's slopes along an axis, whatever carries them
+  float sunlitFacets = 1.0f;  ///< part of them that no wave hides from the sun
+  glm::vec2 levelSun{0.0f};   ///< horizontal part of sunDirection
   glm::vec3 horizonRayleigh{0.0f}, horizonAerosol{0.0f}, horizonOften{0.0f};
   glm::vec2 aerosolShape{1.0f, 0.0f};  ///< 1 + g², 2g
   bool hazeIsOn = false;
@@ -44,7 +44,7 @@ struct ShadingConstants {
   bool twilightIsOn = false;
   glm::vec3 horizonSide{0.0f}, horizonArch{0.0f};  ///< of the twilight, by azimuth from the sun
   bool moonIsOn = false;
-  glm::vec2 levelMoon{0.0f};  ///< horizontal part of the moon's direction
+  glm::vec2 levelMoon{0.0f};                        ///< horizontal part of the moon's direction
   glm::vec3 moonRayleigh{0.0f}, moonAerosol{0.0f};  ///< as horizonRayleigh, horizonAerosol
   glm::vec3 discAxis{0.0f};  ///< across the moon's disc to its lit limb, unit
   float discEdge = -1.0f;    ///< terminator: −1 full, 1 new
@@ -60,9 +60,9 @@ struct ShadingConstants {
   int specular = 0;  ///< Specular
   bool extinctionIsLinear = false, backFacesAreTilted = true;
   // water
-  glm::vec3 waterExtinction{0.0f};  ///< 1/m
-  glm::vec3 deepWater{0.0f};        ///< radiance that comes up from deep water
-  glm::vec3 veil{0.0f};             ///< radiance of water itself, seen from inside
+  glm::vec3 waterExtinction{0.0f};           ///< 1/m
+  glm::vec3 deepWater{0.0f};                 ///< radiance that comes up from deep water
+  glm::vec3 veil{0.0f};                      ///< radiance of water itself, seen from inside
   glm::vec3 crestSky{0.0f}, crestSun{0.0f};  ///< light through crests
   float crestScale = 0.0f;                   ///< 1/m
   // scene objects by way of the water (LocalLight)
@@ -70,7 +70,7 @@ struct ShadingConstants {
   glm::vec2 mirrorLeast{0.0f}, mirrorSize{0.0f};  ///< box of pixels
   glm::vec2 belowLeast{0.0f}, belowSize{0.0f};
   int mirrorSteps = 6;
-  float mirrorBend = 0.0f;  ///< 0: steps through those distances are even; 1: they grow
+  float mirrorBend = 0.0f;     ///< 0: steps through those distances are even; 1: they grow
   float shoreHardness = 0.0f;  ///< 1/m: how fast water fades in over a bed; 0: it does not
   float mirrorNearest = 0.0f, mirrorFarthest = 0.0f;  ///< axial distances of what is mirrored, m
   // the same from under water
@@ -100,9 +100,9 @@ struct ShadingConstants {
   /// their mean product); a length of 1 is waves of one direction, 0 of all alike.
   glm::vec2 waveLean{0.0f};
   bool ripplesAreOn = false;
-  float rippleDeviation = 0.0f;   ///< of slope, of each layer
-  float hairSlope = 0.0f;         ///< mean-square slope of what is finer than ripples
-  float rippleLastLevel = 0.0f;   ///< mip level from which on nothing of a ripple is left
+  float rippleDeviation = 0.0f;    ///< of slope, of each layer
+  float hairSlope = 0.0f;          ///< mean-square slope of what is finer than ripples
+  float rippleLastLevel = 0.0f;    ///< mip level from which on nothing of a ripple is left
   glm::vec2 rippleFromWorld[4]{};  ///< columns of two matrices: texture coordinates from metres
   glm::vec2 rippleOrigin[2]{};     ///< texture coordinates of the camera's foot point
   glm::vec2 rippleAlong[2]{};      ///< unit vector of each patch's first axis
@@ -115,9 +115,9 @@ struct ShadingConstants {
   glm::vec3 oilLight{0.0f};                ///< that comes up through oil
   glm::vec2 whitecapAlong{0.0f};           ///< direction of the waves over σ of slope
   float whitecapPerHeight = 0.0f, whitecapMean = 0.0f;
-  float perTotalSlope = 0.0f;        ///< 1 / mean-square slope of the field
-  glm::vec2 breakingRamp{9e9f, 1.0f};  ///< threshold, 1/width
-  glm::vec3 oldRamp{9e9f, 1.0f, 0.0f};  ///< threshold, 1/width, most
+  float perTotalSlope = 0.0f;                ///< 1 / mean-square slope of the field
+  glm::vec2 breakingRamp{9e9f, 1.0f};        ///< threshold, 1/width
+  glm::vec3 oldRamp{9e9f, 1.0f, 0.0f};       ///< threshold, 1/width, most
   glm::vec2 foamAxis[3]{}, foamOrigin[3]{};  ///< pattern from metres: first axis; the foot's place
   float foamTexelsPerMetre[3]{};
   float foamLastLevel = 0.0f;  ///< mip level from which on nothing of the pattern is left
@@ -144,7 +144,7 @@ struct Lighting {
   bool hazeIsOn = false;
   glm::vec3 moonDirection{0.0f, 0.0f, 1.0f};
   float moonEdge = -1.0f;  ///< ShadingConstants::discEdge
-  float moonPart = 0.0f;  ///< its irradiance over the sun's; 0: no moon lights the scene
+  float moonPart = 0.0f;   ///< its irradiance over the sun's; 0: no moon lights the scene
   bool lampsAreOn = false;
 };
 

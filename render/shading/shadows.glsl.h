@@ -47,8 +47,8 @@ SHADER Real sunlitPart(Real3 place, Real3 normal) {
     covered = choose(at.x < shadowSize[i].x - 2.0f, covered, Real(0.0f));
     covered = choose(at.y < shadowSize[i].y - 2.0f, covered, Real(0.0f));
     open = open - covered;
-    Real2 held = Real2(clamp(at.x, 1.0f, shadowSize[i].x - 2.0f),
-                       clamp(at.y, 1.0f, shadowSize[i].y - 2.0f));
+    Real2 held =
+        Real2(clamp(at.x, 1.0f, shadowSize[i].x - 2.0f), clamp(at.y, 1.0f, shadowSize[i].y - 2.0f));
     if (shadowMayFall(i, held, covered)) {
       // No lower than where nothing is: what casts a shadow is higher.
       Real height = max(dot(from, Real3(sunDirection)) - shadowBase + rounding, 0.0f);

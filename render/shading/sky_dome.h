@@ -12,15 +12,15 @@ namespace seaway::render {
 struct HorizonLight {
   glm::vec3 rayleigh{0.0f}, aerosol{0.0f}, often{0.0f};
   glm::vec3 side{0.0f}, arch{0.0f};  ///< of the twilight, times ½ + ½ cos azimuth, and its cube
-  float asymmetry = 0.0f;  ///< g of the aerosol's phase function
+  float asymmetry = 0.0f;            ///< g of the aerosol's phase function
 };
 
 /// Sunlight that reaches the sea on a plane that faces the sun; the disc sets over half a degree.
 glm::vec3 sunIrradiance(glm::vec3 sunDirection);
 HorizonLight horizonLight(glm::vec3 sunDirection);
 
-/// Of the night's sky without a moon: far brighter than it is beside the sun's light, as the eye, used
-/// to the dark, sees it.
+/// Of the night's sky without a moon: far brighter than it is beside the sun's light, as the eye,
+/// used to the dark, sees it.
 inline constexpr glm::vec3 nightSky(0.25e-3f, 0.38e-3f, 0.65e-3f);
 
 /// What lights the sky: unit vectors to sun and moon, and the moon's irradiance over the sun's.
@@ -35,9 +35,9 @@ struct SkyLights {
 ///
 /// Clear maritime air, sunlight scattered once in a plane-parallel layer (closed form) with an
 /// isotropic term for light scattered more often, and high clouds. As the sun sinks below 4° its
-/// place is taken by a twilight (blue dome and warm arch, both ours) that fades to the night's sky at
-/// −18°; moonlight is scattered as sunlight is. Texels are RGB9E5 (shared
-/// exponent), which OpenGL reads as it is, so that both shade with the same sky.
+/// place is taken by a twilight (blue dome and warm arch, both ours) that fades to the night's sky
+/// at −18°; moonlight is scattered as sunlight is. Texels are RGB9E5 (shared exponent), which
+/// OpenGL reads as it is, so that both shade with the same sky.
 class SkyDome {
  public:
   // Fine enough to be looked at: 4 mrad a texel at the horizon, where a pixel of a 60° camera with

@@ -6,7 +6,8 @@ SHADER Real3 undersideNormal(Real2 slope) {
   return Real3(slope.x, slope.y, Real(-1.0f)) * inversesqrt(1.0f + dot(slope, slope));
 }
 
-// What a facet mirrors from below, averaged over those within the deviation of slope along the view.
+// What a facet mirrors from below, averaged over those within the deviation of slope along the
+// view.
 SHADER Real undersideMirror(Real3 direction, Real2 slope, Real2 deviation) {
   Real mirror = Real(0.0f);
   for (int i = -3; i < 4; ++i) {

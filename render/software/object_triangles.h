@@ -28,8 +28,8 @@ int cutAtLevel(const glm::vec3 (&corners)[3], float level, float upwards, glm::v
 class ObjectTriangles {
  public:
   void fill(std::span<const SceneObject> objects, const Camera& camera);
-  /// One side of the objects, cut at the water's height at each, m above still water. Those that are
-  /// not finite stand ashore: nothing of them.
+  /// One side of the objects, cut at the water's height at each, m above still water. Those that
+  /// are not finite stand ashore: nothing of them.
   void fill(std::span<const SceneObject> objects, const Camera& camera, WaterSide side,
             std::span<const double> levels);
   /// What stands above the water at each object's `levels`, as an eye `depth` m > 0 under still

@@ -8,18 +8,19 @@
 namespace seaway::render {
 namespace {
 
-/// How far outside its edges, in pixels, a triangle still draws, so that neighbours leave no gap: for
-/// the sea as in raster_kernels.cpp; for objects, all in double, as little as rounding asks, since
-/// what an edge draws too much may lie before the face that it ends at.
+/// How far outside its edges, in pixels, a triangle still draws, so that neighbours leave no gap:
+/// for the sea as in raster_kernels.cpp; for objects, all in double, as little as rounding asks,
+/// since what an edge draws too much may lie before the face that it ends at.
 double slackOf(const ScreenTriangle& t) { return t.object == 0 ? 1.0 / 1024.0 : 1e-7; }
 
-constexpr int padding = 32;             // floats that kernels may touch past a row
+constexpr int padding = 32;  // floats that kernels may touch past a row
 
 /// Planes in double, from which each row's start is worked out: exact for triangles of any size.
 class LargeTriangle {
  public:
   explicit LargeTriangle(const ScreenTriangle& t) {
-    const double area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
+    const double area =
+        (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.y[1] - t.y[0]) * (t.x[2] - t.x[0]);
     const double turn = area < 0.0 ? -1.0 : 1.0;
     const double slack = slackOf(t);
     for (int k = 0; k < 3; ++k) {
@@ -43,9 +44,11 @@ class LargeTriangle {
     for (int k = 0; k < 3 && left <= right; ++k) {
       const double start = edge_[k] + down_[k] * y;
       if (across_[k] > 0.0) {
-        left = static_cast<int>(std::clamp<double>(std::ceil(-start / across_[k]), left, right + 1));
+        left =
+            static_cast<int>(std::clamp<double>(std::ceil(-start / across_[k]), left, right + 1));
       } else if (across_[k] < 0.0) {
-        right = static_cast<int>(std::clamp<double>(std::floor(-start / across_[k]), left - 1, right));
+        right =
+            static_cast<int>(std::clamp<double>(std::floor(-start / across_[k]), left - 1, right));
       } else if (start < 0.0) {
         right = left - 1;
       }

@@ -15,7 +15,7 @@ namespace seaway::render {
 /// and which object it belongs to.
 struct Strip {
   int top = 0, rows = 0, width = 0;
-  int stride = 0;               ///< floats from row to row; rows are writable 16 past `width`
+  int stride = 0;  ///< floats from row to row; rows are writable 16 past `width`
   std::vector<float> inverse;
   std::vector<std::uint32_t> object;  ///< 0: sea; empty where no objects are drawn
 

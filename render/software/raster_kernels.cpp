@@ -17,8 +17,8 @@ constexpr float slack = 1.0f / 1024.0f;
 
 /// Triangles of a vector of quads, one array a constant.
 struct Triangles {
-  alignas(64) float edge[3][quadsPerBatch], acrossEdge[3][quadsPerBatch],
-      downEdge[3][quadsPerBatch];
+  alignas(64) float edge[3][quadsPerBatch],
+      acrossEdge[3][quadsPerBatch], downEdge[3][quadsPerBatch];
   alignas(64) float depth[quadsPerBatch], acrossDepth[quadsPerBatch], downDepth[quadsPerBatch];
   alignas(64) float least[quadsPerBatch], most[quadsPerBatch];
   alignas(64) std::int32_t left[quadsPerBatch], right[quadsPerBatch];
@@ -61,11 +61,9 @@ HWY_INLINE void setUp(const Corner (&p)[3], const StripPixels& strip, Triangles&
   // A triangle without area lies on its edges; its depth is one corner's, kept within bounds.
   const Real perArea = choose(abs(area) > 1e-12f, exactQuotient(1.0f, area), 0.0f);
   const Real d1 = p[1].inverse - p[0].inverse, d2 = p[2].inverse - p[0].inverse;
-  const Real acrossDepth =
-      (d1 * (p[2].y - p[0].y) - d2 * (p[1].y - p[0].y)) * perArea;
+  const Real acrossDepth = (d1 * (p[2].y - p[0].y) - d2 * (p[1].y - p[0].y)) * perArea;
   const Real downDepth = (d2 * (p[1].x - p[0].x) - d1 * (p[2].x - p[0].x)) * perArea;
-  const Real depth =
-      p[0].inverse + acrossDepth * (left - p[0].x) + downDepth * (top - p[0].y);
+  const Real depth = p[0].inverse + acrossDepth * (left - p[0].x) + downDepth * (top - p[0].y);
   hn::Store(depth.v, f, out.depth + at);
   hn::Store(acrossDepth.v, f, out.acrossDepth + at);
   hn::Store(downDepth.v, f, out.downDepth + at);
@@ -91,15 +89,14 @@ HWY_INLINE void drawTriangle(const Triangles& t, int i, const StripPixels& strip
   Real depth = Real(t.depth[i]) + acrossDepth * iota;
   const Real down0 = t.downEdge[0][i], down1 = t.downEdge[1][i], down2 = t.downEdge[2][i];
   const Real downDepth = t.downDepth[i], least = t.least[i], most = t.most[i];
-  float* row = strip.inverse +
-               static_cast<std::size_t>(t.top[i] - strip.top) * strip.stride + left;
+  float* row = strip.inverse + static_cast<std::size_t>(t.top[i] - strip.top) * strip.stride + left;
   for (int y = t.top[i]; y <= bottom; ++y, row += strip.stride) {
     // Pixels past the box are outside the triangle by its edges; those past the picture are never
     // read.
     for (int x = 0; x <= right - left; x += lanes) {
       const Real on = static_cast<float>(x);
-      const Mask inside = min3(e0 + across[0] * on, e1 + across[1] * on, e2 + across[2] * on) >=
-                          Real(0.0f);
+      const Mask inside =
+          min3(e0 + across[0] * on, e1 + across[1] * on, e2 + across[2] * on) >= Real(0.0f);
       const Real value = clamp(depth + acrossDepth * on, least, most);
       const Real there = hn::LoadU(f, row + x);
       const Mask nearer = inside && value > there;
@@ -112,8 +109,8 @@ HWY_INLINE void drawTriangle(const Triangles& t, int i, const StripPixels& strip
   }
 }
 
-void DrawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow,
-               int count, const StripPixels& strip) {
+void DrawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow, int count,
+               const StripPixels& strip) {
   Triangles first, second;
   const int lanes = static_cast<int>(laneCount());
   for (int i = 0; i < count; i += lanes) {
@@ -139,11 +136,10 @@ void DrawSpan(const TrianglePlanes& t, int width, float* inverse, unsigned* obje
   const int lanes = static_cast<int>(laneCount());
   for (int x = 0; x < width; x += lanes) {
     const Real on = hn::Iota(f, static_cast<float>(x));
-    const Mask inside =
-        min3(Real(t.edge[0]) + Real(t.acrossEdge[0]) * on,
-             Real(t.edge[1]) + Real(t.acrossEdge[1]) * on,
-             Real(t.edge[2]) + Real(t.acrossEdge[2]) * on) >= Real(0.0f) &&
-        on < Real(static_cast<float>(width));
+    const Mask inside = min3(Real(t.edge[0]) + Real(t.acrossEdge[0]) * on,
+                             Real(t.edge[1]) + Real(t.acrossEdge[1]) * on,
+                             Real(t.edge[2]) + Real(t.acrossEdge[2]) * on) >= Real(0.0f) &&
+                        on < Real(static_cast<float>(width));
     const Real value = clamp(Real(t.depth) + Real(t.acrossDepth) * on, t.least, t.most);
     const Mask nearer = inside && value > Real(hn::LoadU(f, inverse + x));
     hn::BlendedStore(value.v, nearer.m, f, inverse + x);
@@ -164,8 +160,8 @@ namespace seaway::render {
 HWY_EXPORT(DrawQuads);
 HWY_EXPORT(DrawSpan);
 
-void drawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow,
-               int count, const StripPixels& strip) {
+void drawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow, int count,
+               const StripPixels& strip) {
   HWY_DYNAMIC_DISPATCH(DrawQuads)(x, y, inverse, nextRow, count, strip);
 }
 void drawSpan(const TrianglePlanes& planes, int width, float* inverse, unsigned* object,

@@ -18,8 +18,8 @@ struct StripPixels {
 };
 
 /// Draws the quads of a batch: corners at columns [first, first + count] of two rows of the grid.
-void drawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow,
-               int count, const StripPixels& strip);
+void drawQuads(const float* x, const float* y, const float* inverse, std::size_t nextRow, int count,
+               const StripPixels& strip);
 
 /// Draws `width` × 1 pixels from `inverse` on of a triangle whose planes start there; `object` may
 /// be null.

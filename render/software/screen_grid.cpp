@@ -76,8 +76,7 @@ ScreenGrid::Fate ScreenGrid::extentOf(int row, int batch, glm::ivec2 picture,
   return Fate::drawn;
 }
 
-void ScreenGrid::clip(const SeaGrid& grid, const ScreenProjection& projection, int row,
-                      int batch) {
+void ScreenGrid::clip(const SeaGrid& grid, const ScreenProjection& projection, int row, int batch) {
   const int first = batch * quadsPerBatch, last = std::min(first + quadsPerBatch, size_.x - 1);
   const auto corner = [&](std::size_t i) {
     return glm::vec3(grid.x()[i], grid.y()[i], grid.z()[i]);

@@ -16,8 +16,8 @@ struct ScreenProjection {
   explicit ScreenProjection(const Camera& camera);
 
   glm::vec3 forward, right, down;  ///< right and down: pixels from the middle at 1 m
-  glm::vec2 middle;  ///< the view axis in the picture
-  float nearest;  ///< axial distance, m, below which a place has no pixel
+  glm::vec2 middle;                ///< the view axis in the picture
+  float nearest;                   ///< axial distance, m, below which a place has no pixel
 };
 
 /// A triangle in the picture: corners in pixels with 1/axial distance, turning either way.

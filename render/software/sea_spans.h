@@ -30,7 +30,7 @@ class SeaSlopes {
   Projector::GridFromPlane gridFromPlane_;
   std::optional<RingLaw> rings_;
   glm::ivec2 size_{0};
-  std::vector<std::uint32_t> packed_;  // slope x in the low 16 bits, y in the high ones
+  std::vector<std::uint32_t> packed_;      // slope x in the low 16 bits, y in the high ones
   std::vector<float> rowStart_, rowStep_;  // m across from the grid's foot; to the next column
   const float *missing_ = nullptr, *missingWakes_ = nullptr;
   const std::uint32_t* cover_ = nullptr;  // null: nothing lies on the water

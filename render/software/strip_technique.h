@@ -71,10 +71,10 @@ class StripTechnique : public RenderTechnique {
   ShadowMaps shadows_;
   Waterline waterline_;
   LocalLight local_;
-  std::optional<Shore> shore_;         // of this frame
+  std::optional<Shore> shore_;  // of this frame
   TerrainInView terrain_;
-  TerrainInView::Triangles ground_;  // of this frame
-  std::vector<Strip> groundStrips_;  // empty where no ground is shown
+  TerrainInView::Triangles ground_;    // of this frame
+  std::vector<Strip> groundStrips_;    // empty where no ground is shown
   std::vector<PlacedHollow> hollows_;  // of this frame
 };
 

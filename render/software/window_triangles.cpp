@@ -113,7 +113,8 @@ void ObjectTriangles::fillWindow(std::span<const SceneObject> objects, const Cam
           corners[c] = rotation * part.vertices[k + c] + glm::vec3(centre);
         }
         const int count = cutAtLevel(corners, level, 1.0f, kept);
-        const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour, object.instance};
+        const Face face{faceNormal(corners[0], corners[1], corners[2]), part.colour,
+                        object.instance};
         for (int c = 2; c < count; ++c) {
           addBent({window.bent(kept[0]), window.bent(kept[c - 1]), window.bent(kept[c])}, face,
                   window, mostSplits);

@@ -29,8 +29,8 @@ bool mapMayShow(const TerrainMap& map, const Camera& camera) {
   const double top = std::max(map.highest(), 0.0);
   if (away - radius > crestReach(std::max(camera.position.z, 0.0), top)) return false;
   const glm::dvec3 centre(off, -seaDrop(away) - camera.position.z);
-  const double ball = std::hypot(radius, std::max(std::abs(map.lowest()), top) +
-                                             seaDrop(farthest) - seaDrop(away));
+  const double ball =
+      std::hypot(radius, std::max(std::abs(map.lowest()), top) + seaDrop(farthest) - seaDrop(away));
   const double axial = glm::dot(centre, camera.forward());
   const glm::dvec2 half = camera.halfPicture(), shift = camera.pictureMiddle();
   const auto reaches = [&](double outwards, double tangent) {
@@ -129,9 +129,8 @@ void TerrainInView::fillSpan(const Camera& camera, const float* inverse, Terrain
     const glm::vec2 level(relative);
     float height = relative.z + eyeHeight + static_cast<float>(seaDrop(glm::length(level)));
     if (side == TerrainSide::mirrored) height = -height;
-    const GroundPixel ground = groundPixel(*skin_, foot + level,
-                                           footprintAngle * glm::length(relative), height,
-                                           wetHeight_);
+    const GroundPixel ground = groundPixel(
+        *skin_, foot + level, footprintAngle * glm::length(relative), height, wetHeight_);
     if (isMoved) {
       span.placeLevel[i] = -eyeHeight - static_cast<float>(seaDrop(glm::length(level)));
       span.placeScale[i] = side == TerrainSide::mirrored ? -1.0f : deepened;

@@ -189,8 +189,8 @@ float largestError(const TerrainMap::Grid& grid, glm::ivec2 middle, glm::ivec2 h
       for (int x = -reach; x <= reach; ++x) {
         const int u = x * half.x + y * half.y, v = side * (x * across.x + y * across.y);
         if (v < 0 || std::abs(u) + v > squared) continue;
-        const float plane = mean + perSquare * (static_cast<float>(u) * along +
-                                                static_cast<float>(v) * rise);
+        const float plane =
+            mean + perSquare * (static_cast<float>(u) * along + static_cast<float>(v) * rise);
         worst = std::max(worst, std::abs(height(middle + glm::ivec2(x, y)) - plane));
       }
     }

@@ -55,8 +55,8 @@ glm::vec3 reflectanceOf(const Cell& cell, const TerrainLook& look, glm::vec2 pla
   const float patches = text::groundNoise(place / 47.0f) + 0.5f * text::groundNoise(place / 13.0f);
   const float grassFrom = static_cast<float>(look.grassFrom);
   const float rise = 0.5f * std::abs(grassFrom) + 0.5f;
-  const float green =
-      glm::smoothstep(grassFrom - 0.5f * rise, grassFrom + rise, cell.height + 0.6f * rise * patches);
+  const float green = glm::smoothstep(grassFrom - 0.5f * rise, grassFrom + rise,
+                                      cell.height + 0.6f * rise * patches);
   glm::vec3 ground = glm::mix(look.sand, look.grass * (1.0f + 0.35f * patches), green);
   const float under = glm::smoothstep(0.2f, 1.0f, -cell.height);
   const float rough = glm::smoothstep(0.02f, 0.09f, cell.roughness + 0.01f * patches);
@@ -72,8 +72,7 @@ TerrainSkin::Colour coded(const glm::vec3& reflectance) {
 }
 
 TerrainSkin::Slope coded(glm::vec2 slope) {
-  const glm::vec2 held =
-      glm::clamp(slope / TerrainSkin::mostSlope, -1.0f, 1.0f) * 32767.0f;
+  const glm::vec2 held = glm::clamp(slope / TerrainSkin::mostSlope, -1.0f, 1.0f) * 32767.0f;
   return {static_cast<std::int16_t>(std::lround(held.x)),
           static_cast<std::int16_t>(std::lround(held.y))};
 }
@@ -98,8 +97,8 @@ TerrainSkin::TerrainSkin(const TerrainMap& map) {
       const std::size_t i = static_cast<std::size_t>(row) * size.x + column;
       const Cell cell = cellAt(grid, column, row);
       slopes_[i] = coded(cell.slope);
-      colours_[i] = coded(
-          reflectanceOf(cell, map.look(), glm::vec2(glm::dvec2(column, row) * grid.spacing)));
+      colours_[i] =
+          coded(reflectanceOf(cell, map.look(), glm::vec2(glm::dvec2(column, row) * grid.spacing)));
     }
   });
   for (std::size_t l = 1; l < levels_.size(); ++l) {
@@ -128,8 +127,8 @@ TerrainSkin::TerrainSkin(const TerrainMap& map) {
 
 TerrainSkin::Texel TerrainSkin::atLevel(glm::vec2 part, std::size_t level) const {
   const Level& l = levels_[level];
-  const glm::vec2 at = glm::clamp(part * glm::vec2(l.size) - 0.5f, glm::vec2(0.0f),
-                                  glm::vec2(l.size - 1));
+  const glm::vec2 at =
+      glm::clamp(part * glm::vec2(l.size) - 0.5f, glm::vec2(0.0f), glm::vec2(l.size - 1));
   const glm::ivec2 from = glm::min(glm::ivec2(at), l.size - 1);
   const glm::ivec2 to = glm::min(from + 1, l.size - 1);
   const glm::vec2 weight = at - glm::vec2(from);

@@ -34,10 +34,10 @@ namespace {
 
 // A new command is one line here.
 constexpr AddCommand commands[] = {
-    addRunCommand,  addQueryCommand, addRenderCommand, addFitCommand,   addExplainCommand,
-    addCostCommand, addBuoyCommand,  addWakeCommand,   addLayerCommand, addServeCommand,
-    addHullCommand, addSailCommand,  addSchemaCommand, addSelftestCommand,
-    addTuneCommand, addGalleryCommand, addSoakCommand,
+    addRunCommand,     addQueryCommand, addRenderCommand, addFitCommand,      addExplainCommand,
+    addCostCommand,    addBuoyCommand,  addWakeCommand,   addLayerCommand,    addServeCommand,
+    addHullCommand,    addSailCommand,  addSchemaCommand, addSelftestCommand, addTuneCommand,
+    addGalleryCommand, addSoakCommand,
 };
 
 constexpr int failed = 1;

@@ -141,7 +141,9 @@ void addCostCommand(CLI::App& app, ChosenCommand& chosen) {
       app.add_subcommand("cost", "Measure what accuracy costs in time, on this machine");
   auto options = std::make_shared<CostOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
-  command->add_option("--out", options->out, "folder for report.html, height_error.svg, cost.json and cost.csv")
+  command
+      ->add_option("--out", options->out,
+                   "folder for report.html, height_error.svg, cost.json and cost.csv")
       ->required()
       ->check(mustBeNamed);
   command->add_flag("--quick", options->quick, "fewer points and repetitions");

@@ -9,7 +9,7 @@ namespace seaway::bridge {
 
 struct ExplainOptions {
   std::string scene;
-  double time = 0.0;  ///< s
+  double time = 0.0;               ///< s
   std::string backend = "osmesa";  ///< osmesa, egl or egl:N
   bool json = false;
 };

@@ -66,8 +66,9 @@ void overrideModel(Scene& scene, const std::string& model) {
 }
 
 void addBackendOption(CLI::App& command, std::string& backend) {
-  command.add_option("--backend", backend,
-                     "graphics context: osmesa (software), egl, or egl:N for EGL device N")
+  command
+      .add_option("--backend", backend,
+                  "graphics context: osmesa (software), egl, or egl:N for EGL device N")
       ->capture_default_str();
 }
 

@@ -184,8 +184,7 @@ class Checkpoints {
  private:
   double nextAfter(double t) const { return interval_ * (std::floor(t / interval_ + 1e-9) + 1.0); }
   void write(const Simulation& simulation, Telemetry& telemetry) const {
-    writeCheckpoint(path_, scene_,
-                    {simulation.time(), simulation.state(), telemetry.keep(path_)});
+    writeCheckpoint(path_, scene_, {simulation.time(), simulation.state(), telemetry.keep(path_)});
   }
 
   std::filesystem::path path_;
@@ -290,10 +289,11 @@ int runRun(const RunOptions& options, std::ostream& out) {
   std::optional<Checkpoint> from;
   if (!options.resume.empty()) from = readCheckpoint(options.resume, scene);
   if (from && from->time >= scene.run.duration) {
-    throw InputError(options.resume, 0,
-                     fmt::format("was written at {} s, where a run of {} s is over; --duration says "
-                                 "how long the whole is",
-                                 from->time, scene.run.duration));
+    throw InputError(
+        options.resume, 0,
+        fmt::format("was written at {} s, where a run of {} s is over; --duration says "
+                    "how long the whole is",
+                    from->time, scene.run.duration));
   }
   if (from) requireTelemetry(options.resume, *from, scene);
   const RunFolder folder(options.out.empty() ? "out/" + scene.file.stem().string() : options.out,
@@ -358,9 +358,10 @@ void addRunCommand(CLI::App& app, ChosenCommand& chosen) {
       ->check(mustBeNamed);
   command->add_option("--checkpoint-every", options->checkpointEvery,
                       "simulated seconds between checkpoints; each replaces the last");
-  command->add_option("--resume", options->resume,
-                      "checkpoint to go on from, bit for bit: telemetry and frames are those after "
-                      "it, with the numbers that they would have had")
+  command
+      ->add_option("--resume", options->resume,
+                   "checkpoint to go on from, bit for bit: telemetry and frames are those after "
+                   "it, with the numbers that they would have had")
       ->check(mustBeNamed);
   command->add_flag("--json", options->json, "print summary.json to standard output");
   command->footer(

@@ -17,12 +17,12 @@ struct RunOptions {
   std::optional<double> framesPerSecond;
   std::string size;  ///< WxH
   std::optional<std::int64_t> seed;
-  std::string backend = "osmesa";  ///< osmesa, egl or egl:N
+  std::string backend = "osmesa";         ///< osmesa, egl or egl:N
   std::string checkpoint, resume;         ///< files; empty: none
   std::optional<double> checkpointEvery;  ///< s
-  std::vector<std::string> also;   ///< words of frameFileKinds()
-  std::string video;               ///< MP4 file; empty: none
-  int samples = 1;                 ///< a pixel's side
+  std::vector<std::string> also;          ///< words of frameFileKinds()
+  std::string video;                      ///< MP4 file; empty: none
+  int samples = 1;                        ///< a pixel's side
   bool json = false;
 };
 

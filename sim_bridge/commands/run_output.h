@@ -73,12 +73,12 @@ struct RunSummary {
   std::map<std::string, double> passesMs;   ///< totals of the technique's passes
   render::FrameStats lastFrame;
   StepTimes stepTimes;
-  double stepMs = 0.0;   ///< of all steps, without what is written
-  StepTimes frameTimes;  ///< of frames after each camera's first
+  double stepMs = 0.0;                ///< of all steps, without what is written
+  StepTimes frameTimes;               ///< of frames after each camera's first
   std::optional<double> resumedFrom;  ///< time of the checkpoint, s
   long long framesDrawn = 0;          ///< of each camera by this run: without those before that
-  Performance achieved;  ///< what of the scene's `tuned` was measured
-  std::vector<std::string> also;  ///< what else was written of each frame
+  Performance achieved;               ///< what of the scene's `tuned` was measured
+  std::vector<std::string> also;      ///< what else was written of each frame
 
   /// How much of the scene this run went through, s.
   double simulated(const Scene& scene) const {

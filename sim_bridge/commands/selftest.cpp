@@ -191,11 +191,10 @@ void writeReport(Results& results, const std::vector<std::string>& kept, const S
     return;
   }
   for (const auto& failure : failures) {
-    out << fmt::format("FAILED {}: {} ({}){}\n", failure["name"].get<std::string>(),
-                       failure["fault"].get<std::string>(),
-                       failure["property"].get<std::string>(),
-                       failure.contains("file") ? ", kept as " + failure["file"].get<std::string>()
-                                                : "");
+    out << fmt::format(
+        "FAILED {}: {} ({}){}\n", failure["name"].get<std::string>(),
+        failure["fault"].get<std::string>(), failure["property"].get<std::string>(),
+        failure.contains("file") ? ", kept as " + failure["file"].get<std::string>() : "");
   }
   for (const auto& [area, result] : results.areas()) {
     out << fmt::format("{:<16} {:>6} tried {:>4} failed\n", area, result.tried, result.failed);
@@ -235,7 +234,8 @@ int runSelftest(const SelftestOptions& options, std::ostream& out) {
 
 void addSelftestCommand(CLI::App& app, ChosenCommand& chosen) {
   auto* command = app.add_subcommand(
-      "selftest", "Try hard cases and random scenes on this machine: no crash, no hang, no silence");
+      "selftest",
+      "Try hard cases and random scenes on this machine: no crash, no hang, no silence");
   auto options = std::make_shared<SelftestOptions>();
   command->add_option("--configs", options->configs,
                       "folder with hard_cases.yaml and scenes/ (default: ./configs, or the one "
@@ -247,8 +247,9 @@ void addSelftestCommand(CLI::App& app, ChosenCommand& chosen) {
   command->add_option("--limit", options->limit, "seconds that a case may take (default 60)");
   command->add_option("--seed", options->seed, "of the first random case (default 1)");
   command->add_option("--only", options->only, "hard cases whose names match this expression");
-  command->add_option("--out", options->out,
-                      "folder for scenes that fail, made as small as they can be")
+  command
+      ->add_option("--out", options->out,
+                   "folder for scenes that fail, made as small as they can be")
       ->check(mustBeNamed);
   command->add_flag("--list", options->list, "print what the catalogue holds, as a table");
   command->add_flag("--json", options->json, "machine-readable");

@@ -45,8 +45,8 @@ struct Verdict {
 Verdict verdictOn(const SoakResult& result, double settled) {
   Verdict verdict{memoryChange(result.readings, &SoakReading::residentBytes, settled),
                   memoryChange(result.readings, &SoakReading::heapBytes, settled)};
-  verdict.sound = result.resumes && verdict.resident <= allowedChange &&
-                  verdict.heap <= allowedChange;
+  verdict.sound =
+      result.resumes && verdict.resident <= allowedChange && verdict.heap <= allowedChange;
   return verdict;
 }
 

@@ -71,8 +71,8 @@ std::string tunedText(const TuneOptions& options, const Tuning& tuning) {
   Json scene = jsonFromYaml(top);
   const Json changed{{"accuracy", tunedAccuracy(scene, tuning)},
                      {"tuned", performanceJson(tuning.foreseen)}};
-  const std::string origin = "# Tuned by `seaway tune " + options.scene + "` on " + machineLine() +
-                             ".\n";
+  const std::string origin =
+      "# Tuned by `seaway tune " + options.scene + "` on " + machineLine() + ".\n";
   std::error_code ignored;
   const bool sameFolder = fs::equivalent(fs::absolute(file).parent_path(),
                                          fs::absolute(options.out).parent_path(), ignored);
@@ -134,7 +134,8 @@ int runTune(const TuneOptions& options, std::ostream& out) {
   file.stream() << text;
   file.commit();
   if (options.json) {
-    Json json{{"scene", options.out}, {"machine", machineLine()},
+    Json json{{"scene", options.out},
+              {"machine", machineLine()},
               {"foreseen", performanceJson(tuning.foreseen)}};
     if (tuning.tolerance) json["settings"]["motion_tolerance_m"] = *tuning.tolerance;
     if (tuning.grid) json["settings"]["grid"] = {tuning.grid->x, tuning.grid->y};

@@ -102,9 +102,8 @@ nlohmann::ordered_json asJson(const Calibration& calibration) {
                        {"within_3_sigma", check.within[2]}});
   }
   for (const BoundCheck& check : calibration.bounds) {
-    bounds.push_back({{"reach_m", check.reach},
-                      {"bound_m", check.bound},
-                      {"largest_error_m", check.largest}});
+    bounds.push_back(
+        {{"reach_m", check.reach}, {"bound_m", check.bound}, {"largest_error_m", check.largest}});
   }
   return {{"left_out", std::move(leftOut)}, {"bounds", std::move(bounds)}};
 }

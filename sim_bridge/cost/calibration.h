@@ -15,13 +15,13 @@ struct StudyOptions;
 /// Heights with `kept` octaves: the error that samples state, and the one that they have.
 struct LeftOutCheck {
   std::size_t kept = 0;
-  double predicted = 0.0;         ///< `SurfaceSample::error`, one standard deviation, m
-  double measured = 0.0;          ///< rms difference from all octaves, m
+  double predicted = 0.0;          ///< `SurfaceSample::error`, one standard deviation, m
+  double measured = 0.0;           ///< rms difference from all octaves, m
   std::array<double, 3> within{};  ///< share of differences within 1, 2 and 3 standard deviations
 };
 
-/// Rounding at points up to `reach` m from the anchor: the bound that samples state, and the largest
-/// difference from the field in double precision.
+/// Rounding at points up to `reach` m from the anchor: the bound that samples state, and the
+/// largest difference from the field in double precision.
 struct BoundCheck {
   double reach = 0.0, bound = 0.0, largest = 0.0;
 };

@@ -63,9 +63,8 @@ std::vector<Study> studyGrids(const ImageTruth& truth, glm::ivec2 own,
   std::vector<glm::ivec2> all;
   for (const int side : grids) all.push_back({side, side});
   if (std::find(all.begin(), all.end(), own) == all.end()) all.push_back(own);
-  std::stable_sort(all.begin(), all.end(), [](const glm::ivec2& a, const glm::ivec2& b) {
-    return a.x * a.y < b.x * b.y;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const glm::ivec2& a, const glm::ivec2& b) { return a.x * a.y < b.x * b.y; });
   for (const glm::ivec2& grid : all) {
     const Drawn drawn =
         draw(truth, {.grid = grid, .backend = options.backend}, "grid " + sizeText(grid), options);

@@ -30,7 +30,7 @@ struct Study {
 };
 
 struct StudyOptions {
-  bool quick = false;  ///< fewer points, pixels and repetitions
+  bool quick = false;              ///< fewer points, pixels and repetitions
   std::string backend = "osmesa";  ///< of pictures; see makeHeadlessContext
 };
 
@@ -61,8 +61,8 @@ std::vector<Study> studyFieldModels(const Sea& sea, const StudyOptions& options)
 /// Residual of fits of group octaves to a JONSWAP spectrum against ms a fit, by number of octaves.
 Study studyFitOctaves(const StudyOptions& options);
 
-/// Four studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of its
-/// weight against us an evaluation, by columns, by triangles without and with the waves' own
+/// Four studies of loads on a 12 m hull about the scene's sea: rms error of its buoyancy in % of
+/// its weight against us an evaluation, by columns, by triangles without and with the waves' own
 /// pressure, and by cut-off of short waves.
 std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
 
@@ -88,14 +88,14 @@ std::vector<Study> studySwimming(const Scene& scene, const Sea& sea, const Study
 /// against ms to select and raster it, over all the scene's cameras. None without terrain.
 std::vector<Study> studyTerrain(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
-/// By the size of shadow maps: pixels whose sunlight is wrong, in % of those in shadow, against rays
-/// to the sun, and ms to draw the maps; of the first camera that sees shadows. None where none does.
+/// By the size of shadow maps: pixels whose sunlight is wrong, in % of those in shadow, against
+/// rays to the sun, and ms to draw the maps; of the first camera that sees shadows. None where none
+/// does.
 std::vector<Study> studyShadows(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// By samples a pixel: radiance under water, rms in % of its mean, against 36 samples, and ms a
 /// frame; of the first camera that sees water from inside. None where none does.
-std::vector<Study> studyUnderWater(const Scene& scene, const Sea& sea,
-                                   const StudyOptions& options);
+std::vector<Study> studyUnderWater(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// Three studies of the wake of the scene's first vessel under way, by cell size, step and window:
 /// rms error in % of the wake's height around the vessel against us of work in 0.1 s. None where no

@@ -88,8 +88,8 @@ void tunePictures(const Scene& scene, const Sea& sea, const std::string& backend
         error ? measurePosition(tried, simulation, backend) : std::optional<double>(0.0);
     if (!place) throw InputError("accuracy.pixel: the first camera sees no water");
     grids.push_back(tried.accuracy.grid);
-    settings.push_back({fmt::format("grid {}x{}", grids.back().x, grids.back().y), *place,
-                        milliseconds});
+    settings.push_back(
+        {fmt::format("grid {}x{}", grids.back().x, grids.back().y), *place, milliseconds});
     // Finer grids only cost more.
     if (error && *place <= *error) break;
   }
@@ -98,8 +98,8 @@ void tunePictures(const Scene& scene, const Sea& sea, const std::string& backend
     for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i].error = 1.0 / (1.0 + double(i));
     return ranked;
   };
-  const std::size_t best = chooseSetting(error ? settings : finest(), error, cost, "pictures",
-                                         {"px", "ms a frame"});
+  const std::size_t best =
+      chooseSetting(error ? settings : finest(), error, cost, "pictures", {"px", "ms a frame"});
   tuning.grid = grids[best];
   tuning.foreseen.frame = settings[best].cost;
   Scene chosen = scene;
@@ -165,13 +165,12 @@ std::size_t chooseSetting(const std::vector<Setting>& settings, std::optional<do
     if (!best || better(settings[i], settings[*best])) best = i;
   }
   if (best) return *best;
-  const auto exact = std::min_element(
-      settings.begin(), settings.end(),
-      [](const Setting& a, const Setting& b) { return a.error < b.error; });
-  const auto cheap = std::min_element(settings.begin(), settings.end(),
-                                      [](const Setting& a, const Setting& b) {
-                                        return a.cost < b.cost;
-                                      });
+  const auto exact =
+      std::min_element(settings.begin(), settings.end(),
+                       [](const Setting& a, const Setting& b) { return a.error < b.error; });
+  const auto cheap =
+      std::min_element(settings.begin(), settings.end(),
+                       [](const Setting& a, const Setting& b) { return a.cost < b.cost; });
   throw InputError("no setting of " + what + " does what is asked on this machine; most exact: " +
                    told(*exact) + "; cheapest: " + told(*cheap));
 }
@@ -197,8 +196,8 @@ std::optional<double> measurePosition(const Scene& scene, const Simulation& simu
   if (scene.cameras.empty()) return std::nullopt;
   SceneView view(scene);
   EffectLedger ledger(scene.effects);
-  // A smaller picture of the same view, for rays are slow: what is off by an angle is off by as much
-  // more pixels as the picture has.
+  // A smaller picture of the same view, for rays are slow: what is off by an angle is off by as
+  // much more pixels as the picture has.
   const double part = std::min(1.0, 480.0 / scene.run.size.x);
   const glm::ivec2 size = glm::max(glm::ivec2(glm::dvec2(scene.run.size) * part), glm::ivec2(1));
   render::View seen = view.view(simulation, scene.cameras[0], size, ledger);

@@ -36,8 +36,8 @@ struct Tuning {
 };
 
 /// Measures the scene's dials on this machine and picks settings for what its `accuracy` and
-/// `budget` ask. `progress` hears of each of three parts. Throws InputError where that cannot be met
-/// or nothing is asked.
+/// `budget` ask. `progress` hears of each of three parts. Throws InputError where that cannot be
+/// met or nothing is asked.
 Tuning tune(const Scene& scene, const Sea& sea, const std::string& backend,
             const std::function<void(std::size_t done)>& progress = {});
 
@@ -46,8 +46,8 @@ Tuning tune(const Scene& scene, const Sea& sea, const std::string& backend,
 Setting measureQueries(const Scene& scene, const Sea& sea, double t);
 
 /// Place of the sea in the first camera's picture at the simulation's time: rms error against rays
-/// in pixels of the scene's own picture, found in one of at most 480 columns; nothing without a camera,
-/// or where it sees no water.
+/// in pixels of the scene's own picture, found in one of at most 480 columns; nothing without a
+/// camera, or where it sees no water.
 std::optional<double> measurePosition(const Scene& scene, const Simulation& simulation,
                                       const std::string& backend);
 

@@ -35,7 +35,8 @@ constexpr const char* style =
     "table{border-collapse:collapse;margin:1rem 0}"
     "th,td{padding:.25rem .9rem;border-bottom:1px solid #ddd;text-align:right}"
     "th:first-child,td:first-child{text-align:left}"
-    "figure{margin:1.5rem 0}figure svg,figure img{max-width:100%;height:auto}pre{overflow:auto;background:#f4f4f4;padding:.5rem}"
+    "figure{margin:1.5rem 0}figure svg,figure "
+    "img{max-width:100%;height:auto}pre{overflow:auto;background:#f4f4f4;padding:.5rem}"
     "figcaption{color:#555;font-size:.9rem}h1{font-size:1.6rem}h2{font-size:1.2rem}";
 
 std::string row(const std::vector<std::string>& cells, const std::string& tag) {
@@ -72,8 +73,6 @@ void HtmlPage::picture(const std::string& png, const std::string& caption) {
            "\"><figcaption>" + htmlEscaped(caption) + "</figcaption></figure>\n";
 }
 
-void HtmlPage::code(const std::string& text) {
-  body_ += "<pre>" + htmlEscaped(text) + "</pre>\n";
-}
+void HtmlPage::code(const std::string& text) { body_ += "<pre>" + htmlEscaped(text) + "</pre>\n"; }
 
 }  // namespace seaway::bridge

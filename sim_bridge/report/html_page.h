@@ -8,8 +8,8 @@ namespace seaway::bridge {
 /// Text with what HTML takes for its own replaced.
 std::string htmlEscaped(const std::string& text);
 
-/// A self-contained HTML page of headings, paragraphs, tables, SVG figures and pictures: no script, no link,
-/// nothing fetched. Texts are escaped; figures come from plot.h.
+/// A self-contained HTML page of headings, paragraphs, tables, SVG figures and pictures: no script,
+/// no link, nothing fetched. Texts are escaped; figures come from plot.h.
 class HtmlPage {
  public:
   explicit HtmlPage(const std::string& title);

@@ -81,8 +81,7 @@ std::string axis(const char* name, const Axis& axis) {
   };
   std::string script = fmt::format("set {}label {}\nset {}range [{}:{}]\n", name,
                                    quoted(axis.label), name, end(axis.low), end(axis.high));
-  if (axis.logarithmic)
-    script += fmt::format("set logscale {}\nset format {} '%g'\n", name, name);
+  if (axis.logarithmic) script += fmt::format("set logscale {}\nset format {} '%g'\n", name, name);
   return script;
 }
 

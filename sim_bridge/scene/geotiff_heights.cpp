@@ -64,8 +64,7 @@ struct ProjectionCloser {
 /// The file's own coordinates from WGS84; degrees, or the file's units, eastwards first.
 class Projection {
  public:
-  Projection(const std::string& crs, const std::string& file)
-      : context_(proj_context_create()) {
+  Projection(const std::string& crs, const std::string& file) : context_(proj_context_create()) {
     proj_log_level(context_.get(), PJ_LOG_NONE);
     const std::unique_ptr<PJ, ProjectionCloser> raw(
         proj_create_crs_to_crs(context_.get(), "EPSG:4326", crs.c_str(), nullptr));
@@ -181,8 +180,9 @@ class GeoTiffReader {
         }
         for (int y = top; y < std::min(top + along, size_.y); ++y) {
           for (int x = left; x < std::min(left + across, size_.x); ++x) {
-            heights[static_cast<std::size_t>(y) * size_.x + x] = valueAt(
-                tile.data(), static_cast<std::size_t>(y - top) * width + (x - left), format_, bits_);
+            heights[static_cast<std::size_t>(y) * size_.x + x] =
+                valueAt(tile.data(), static_cast<std::size_t>(y - top) * width + (x - left),
+                        format_, bits_);
           }
         }
       }
@@ -195,9 +195,9 @@ class GeoTiffReader {
     std::uint32_t length = 0;
     const TIFFField* field = TIFFFindField(tiff_.get(), TIFFTAG_GDAL_NODATA, TIFF_ANY);
     const bool given =
-        field && (TIFFFieldPassCount(field)
-                      ? TIFFGetField(tiff_.get(), TIFFTAG_GDAL_NODATA, &length, &text)
-                      : TIFFGetField(tiff_.get(), TIFFTAG_GDAL_NODATA, &text)) == 1;
+        field &&
+        (TIFFFieldPassCount(field) ? TIFFGetField(tiff_.get(), TIFFTAG_GDAL_NODATA, &length, &text)
+                                   : TIFFGetField(tiff_.get(), TIFFTAG_GDAL_NODATA, &text)) == 1;
     if (!given || !text) return;
     const auto none = static_cast<float>(std::strtod(text, nullptr));
     for (float& height : heights) {
@@ -211,8 +211,7 @@ class GeoTiffReader {
     if (!GTIFGetDefn(&keys, definition.get())) {
       fail("does not say in which projection it is: it is no GeoTIFF");
     }
-    const int code =
-        definition->Model == ModelTypeGeographic ? definition->GCS : definition->PCS;
+    const int code = definition->Model == ModelTypeGeographic ? definition->GCS : definition->PCS;
     if (code > 0 && code != KvUserDefined) return "EPSG:" + std::to_string(code);
     const std::unique_ptr<char, TextCloser> text(GTIFGetProj4Defn(definition.get()));
     if (!text || text.get()[0] == '\0') fail("does not say in which projection it is");

@@ -10,8 +10,8 @@
 
 namespace seaway::bridge {
 
-/// A file's heights as they stand in it, and where its pixels lie. Pixel (0, 0) is the middle of the
-/// one in the north-west, x counts eastwards, y southwards.
+/// A file's heights as they stand in it, and where its pixels lie. Pixel (0, 0) is the middle of
+/// the one in the north-west, x counts eastwards, y southwards.
 struct HeightPicture {
   /// Most pixels of a file.
   static constexpr std::size_t mostPixels = std::size_t{4096} * 4096;

@@ -38,8 +38,9 @@ class PngReader {
     if (!tryHeader()) fail("is not a readable PNG: " + message_);
     const int type = png_get_color_type(png_, info_);
     if (type != PNG_COLOR_TYPE_GRAY) {
-      fail("is not a plain grey PNG; a map of heights must be one, without colours or "
-           "transparency");
+      fail(
+          "is not a plain grey PNG; a map of heights must be one, without colours or "
+          "transparency");
     }
   }
   glm::ivec2 size() const {

@@ -161,8 +161,8 @@ struct LightSettings {
   Sun sun;
   std::optional<SceneMoon> moon;
   Wind wind;
-  double turbidity = 0.045;   ///< of the water, 1/m
-  double visibility = 28e3;   ///< of the air, m
+  double turbidity = 0.045;  ///< of the water, 1/m
+  double visibility = 28e3;  ///< of the air, m
   render::ShadingTerms shading;
   render::ToneCurve toneCurve = render::ToneCurve::filmic;
   bool dithers = true;
@@ -172,7 +172,7 @@ struct LightSettings {
 struct SceneLamp {
   std::string name;
   Place place;
-  double height = 5.0;         ///< m above the still-water level
+  double height = 5.0;                  ///< m above the still-water level
   glm::vec3 colour{1.0f, 0.85f, 0.6f};  ///< linear
   double candela = 100.0;
 };

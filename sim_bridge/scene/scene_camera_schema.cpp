@@ -46,7 +46,8 @@ Mapping<render::Distortion> distortionSchema() {
 void requirePinhole(const SceneCamera& camera, const YamlValue& value) {
   render::Camera pinhole;
   if (camera.intrinsics) {
-    if (const YamlValue* given = value.find("fov_deg")) given->fail("is not allowed beside intrinsics");
+    if (const YamlValue* given = value.find("fov_deg"))
+      given->fail("is not allowed beside intrinsics");
     pinhole.size = camera.intrinsics->size;
     pinhole.intrinsics = camera.intrinsics->pixels;
     try {

@@ -171,8 +171,7 @@ void resolveTerrain(Scene& scene, const YamlValue& document, const Geodesy& geod
   if (!value) return;
   const fs::path file = referredFile(*value->find("file"), scene.file);
   requireSoundTerrain(scene.terrain, *value, isPngFile(file));
-  const double level =
-      scene.terrain.datum == TerrainDatum::geoid ? scene.sea.waterLevel : 0.0;
+  const double level = scene.terrain.datum == TerrainDatum::geoid ? scene.sea.waterLevel : 0.0;
   scene.terrain.map =
       std::make_shared<const TerrainMap>(loadTerrain(scene.terrain, file, geodesy, level));
 }

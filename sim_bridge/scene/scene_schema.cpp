@@ -138,10 +138,10 @@ Mapping<Accuracy> accuracySchema() {
       mapping("wakes", &Accuracy::wakes, wakes, "the windows of vessels' waves"),
   };
   for (Field<Performance>& field : std::vector{heightError(), pictureError()}) {
-    fields.push_back({field.description, [read = field.read](Accuracy& target,
-                                                             const YamlValue& value) {
-                        read(target.wanted, value);
-                      }});
+    fields.push_back(
+        {field.description, [read = field.read](Accuracy& target, const YamlValue& value) {
+           read(target.wanted, value);
+         }});
   }
   return Mapping<Accuracy>(std::move(fields));
 }
@@ -182,7 +182,8 @@ const Mapping<Scene>& sceneSchema() {
       mapping("terrain", &Scene::terrain, terrainSchema(placeSchema()),
               "islands, shores and sea bed; without it the bed is at sea.depth_m"),
       mapping("light", &Scene::light, lightSchema(), "sun, moon, wind, air and how water is lit"),
-      list("lights", &Scene::lamps, lampSchema(placeSchema()), "lamps: shown when it is dusk or dark"),
+      list("lights", &Scene::lamps, lampSchema(placeSchema()),
+           "lamps: shown when it is dusk or dark"),
       mapping("effects", &Scene::effects, effectsSchema(), "what may be simulated and drawn"),
       mapping("accuracy", &Scene::accuracy, accuracySchema(), "what exactness is paid for"),
       mapping("budget", &Scene::budget, budgetSchema(), "what `seaway tune` may spend"),

@@ -34,7 +34,7 @@ struct SceneTerrain {
   std::optional<double> noData;   ///< height where the file has none, m
   TerrainLook look;
   double shoreHardness = TerrainLook{}.shoreHardness;  ///< 1/m
-  std::shared_ptr<const TerrainMap> map;  ///< read by the loader
+  std::shared_ptr<const TerrainMap> map;               ///< read by the loader
 };
 
 Mapping<SceneTerrain> terrainSchema(const Mapping<Place>& place);

@@ -13,8 +13,8 @@ namespace seaway::bridge {
 /// One octave as a file gives it. Which keys a kind needs: `octaveEntrySchema`.
 struct OctaveEntry {
   OctaveKind kind = OctaveKind::perlin;
-  double standardDeviation = 0.0;  ///< m
-  double toward_deg = 0.0;         ///< compass direction the octave goes to
+  double standardDeviation = 0.0;              ///< m
+  double toward_deg = 0.0;                     ///< compass direction the octave goes to
   std::optional<double> latticeSize;           ///< perlin, m
   std::optional<double> frequency;             ///< group and regular, Hz
   std::optional<double> bandwidth;             ///< group, Hz

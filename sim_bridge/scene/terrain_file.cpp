@@ -46,8 +46,8 @@ void settle(HeightPicture& picture, const SceneTerrain& terrain, const fs::path&
     lowest = std::min(lowest, static_cast<double>(height));
   }
   if (std::isinf(lowest)) fail(file, "has no heights: all of it is no data");
-  const double none = terrain.noData ? *terrain.noData - waterLevel
-                                     : std::min(-underNoData, lowest);
+  const double none =
+      terrain.noData ? *terrain.noData - waterLevel : std::min(-underNoData, lowest);
   for (float& height : picture.heights) {
     if (std::isnan(height)) height = static_cast<float>(none);
   }
@@ -79,8 +79,9 @@ Box boxOf(const HeightPicture& picture, const Geodesy& geodesy, const fs::path& 
     box.least.y = std::max(box.least.y, place(at.x, picture.most.y).y);
   }
   if (!(box.least.x < box.most.x && box.least.y < box.most.y)) {
-    fail(file, "covers no upright rectangle of the sea plane: its rows must run about eastwards "
-               "and its columns southwards");
+    fail(file,
+         "covers no upright rectangle of the sea plane: its rows must run about eastwards "
+         "and its columns southwards");
   }
   const glm::dvec2 nearest = glm::clamp(glm::dvec2(0.0), box.least, box.most);
   if (glm::length(nearest) > farthestFromAnchor) {
@@ -110,9 +111,7 @@ float heightAt(const HeightPicture& picture, glm::dvec2 pixel) {
 glm::ivec2 cellsFor(glm::ivec2 pixels) {
   const auto least = static_cast<unsigned>(std::max(1, std::min(pixels.x, pixels.y) / 8));
   const int block = std::min(static_cast<int>(std::bit_floor(least)), largestBlock);
-  const auto whole = [&](int count) {
-    return std::max(1, (count + block / 2) / block) * block;
-  };
+  const auto whole = [&](int count) { return std::max(1, (count + block / 2) / block) * block; };
   return {whole(pixels.x), whole(pixels.y)};
 }
 

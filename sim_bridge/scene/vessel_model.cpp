@@ -64,11 +64,12 @@ Mapping<VesselDrawing> drawingSchema() {
 
 Mapping<VesselWake> wakeSchema() {
   return Mapping<VesselWake>({
-      choice("form", &VesselWake::form,
-             {{"drawn", WakeForm::drawn}, {"box", WakeForm::box}, {"wigley", WakeForm::wigley}},
-             "hull that makes the waves: as drawn below the water (of shape mesh: the mesh that "
-             "loads are taken on), the box, or Wigley's parabolic hull of the same length, beam and "
-             "draft"),
+      choice(
+          "form", &VesselWake::form,
+          {{"drawn", WakeForm::drawn}, {"box", WakeForm::box}, {"wigley", WakeForm::wigley}},
+          "hull that makes the waves: as drawn below the water (of shape mesh: the mesh that "
+          "loads are taken on), the box, or Wigley's parabolic hull of the same length, beam and "
+          "draft"),
       number("strength", &VesselWake::strength, "1", Range::within(0.0, 2.0),
              "part of the waves that linear theory gives such a hull; less for one that planes"),
       choice("felt_by_itself", &VesselWake::feltByItself, {{"true", true}, {"false", false}},

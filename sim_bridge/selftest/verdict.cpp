@@ -73,7 +73,8 @@ std::string faultOfRefusal(const ChildOutcome& outcome, const Expectation& expec
     return "the message names no line of the scene: " + firstLine(outcome.err);
   }
   const auto left = filesUnder(folder);
-  // A run that ends under way (a hull aground, say) keeps whole pictures and lists them for the next.
+  // A run that ends under way (a hull aground, say) keeps whole pictures and lists them for the
+  // next.
   const bool underWay = !left.empty() && hasListOfLeftovers(folder);
   for (const fs::path& path : left) {
     const bool whole = path.filename().string().find(".part") == std::string::npos;

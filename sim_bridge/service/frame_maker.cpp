@@ -141,9 +141,8 @@ FrameMaker::Picture FrameMaker::drawHere(const FrameRequest& request) {
   const glm::ivec2 size = request.size == glm::ivec2(0) ? scene.run.size : request.size;
   std::vector<PlacedVessel> vessels;
   const auto takeVessels = [&, on = mount] {
-    std::stable_partition(
-        moment.hulls.begin(), moment.hulls.end(),
-        [on](const ServedHull& each) { return on != 0 && each.hull == on; });
+    std::stable_partition(moment.hulls.begin(), moment.hulls.end(),
+                          [on](const ServedHull& each) { return on != 0 && each.hull == on; });
     vessels.assign(moment.hulls.begin(), moment.hulls.end());
   };
   takeVessels();

@@ -65,9 +65,8 @@ std::optional<std::string> BoxHull::fault() const {
   }
   const double fastest = std::max({heaveFrequency(), rollFrequency(), pitchFrequency()});
   if (!(fastest <= fastestMotion)) {
-    return "would move too fast to be integrated: its natural frequency is " +
-           numberText(fastest) + " rad/s, more than " + numberText(fastestMotion) +
-           "; raise its draft or gyradii";
+    return "would move too fast to be integrated: its natural frequency is " + numberText(fastest) +
+           " rad/s, more than " + numberText(fastestMotion) + "; raise its draft or gyradii";
   }
   return std::nullopt;
 }

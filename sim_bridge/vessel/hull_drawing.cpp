@@ -21,7 +21,10 @@ void addParts(render::Mesh& drawn, const TriangleMesh& mesh, const VesselDrawing
     const bool flat = area.z > deckSlope * glm::length(area);
     const bool inner = area.y * (a.y + b.y + c.y) < 0.0;  // faces the centreplane
     const bool low = (a.z + b.z + c.z) / 3.0 < 0.0;
-    addTriangle(flat || inner ? deck : low ? bottom : topsides, glm::vec3(a), glm::vec3(b), glm::vec3(c));
+    addTriangle(flat || inner ? deck
+                : low         ? bottom
+                              : topsides,
+                glm::vec3(a), glm::vec3(b), glm::vec3(c));
   }
   drawn.parts = {bottom, topsides, deck};
 }

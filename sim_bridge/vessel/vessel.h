@@ -9,7 +9,8 @@
 
 namespace seaway::bridge {
 
-/// A vessel of a scene: on its prescribed course, free, or where a host has it. A value; a copy moves on alone.
+/// A vessel of a scene: on its prescribed course, free, or where a host has it. A value; a copy
+/// moves on alone.
 class Vessel {
  public:
   explicit Vessel(PrescribedVessel vessel) : kind_(std::move(vessel)) {}

@@ -17,8 +17,8 @@ render::Mesh vesselMesh(const VesselModel& model);
 /// the sea out of it.
 render::Mesh launchMesh(const BoxHull& hull, const VesselDrawing& drawing);
 
-/// One side of a launch's cross-section, upwards from the keel by the chine to the rail, body frame,
-/// m.
+/// One side of a launch's cross-section, upwards from the keel by the chine to the rail, body
+/// frame, m.
 using LaunchSection = std::array<glm::vec3, 3>;
 /// The lines of the hull that launchMesh draws, from the transom to the stem.
 std::vector<LaunchSection> launchSections(const BoxHull& hull);

@@ -21,9 +21,10 @@ enum class PoseAnswer {
 };
 
 /// A vessel's past, as far as its waves are still about. Bounded: poses older than `horizon` are
-/// dropped, of a vessel at rest no more than three are kept, and of those within one interval of the
-/// time grid only the last two, for no more can be told from them: the place at a time is reckoned from poses up to that time alone, so
-/// that a step once taken is never taken otherwise when later poses arrive.
+/// dropped, of a vessel at rest no more than three are kept, and of those within one interval of
+/// the time grid only the last two, for no more can be told from them: the place at a time is
+/// reckoned from poses up to that time alone, so that a step once taken is never taken otherwise
+/// when later poses arrive.
 class PoseLog {
  public:
   /// Times are kept apart by `interval` s; the past by `horizon` s.

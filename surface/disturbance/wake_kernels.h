@@ -69,9 +69,9 @@ struct BorderColumns {
 };
 void borderAcrossRows(const BorderColumns& row);
 
-/// One row of the spectra that become the height map, interleaved: η + i η_t = ½[(1 + ω)Z(k) +
-/// (1 − ω) conj Z(−k)] where `surface` is given, and where `potential` is φ = −(i g/2ω)[Z(k) − conj Z(−k)], each times
-/// prefilter and scale.
+/// One row of the spectra that become the height map, interleaved, each times prefilter and scale:
+///   where `surface` is given    η + i η_t = ½[(1 + ω) Z(k) + (1 − ω) conj Z(−k)]
+///   where `potential` is given  φ = −(i g/2ω) [Z(k) − conj Z(−k)]
 struct OutputRow {
   int begin, end, columns;
   const float *omega, *gravityOverOmega;

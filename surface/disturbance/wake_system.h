@@ -75,8 +75,8 @@ class WakeSystem {
   std::size_t running() const;  ///< wakes that hold windows
   std::size_t memoryBytes() const;
 
-  /// Writes or reads the state (surface/state_archive.h); it is read into a system that has the same
-  /// vessels, and published.
+  /// Writes or reads the state (surface/state_archive.h); it is read into a system that has the
+  /// same vessels, and published.
   template <class Archive>
   void archive(Archive& archive);
 

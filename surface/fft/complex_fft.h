@@ -15,8 +15,8 @@ namespace seaway {
 ///
 /// Values lie on boundaries of 64 bytes (AlignedVector): FFTW uses no vector instructions
 /// elsewhere. Construction is serialised within the process; transforms of one object are safe from
-/// any number of threads and allocate nothing in the calling thread after its first transform. Copies
-/// share their plans.
+/// any number of threads and allocate nothing in the calling thread after its first transform.
+/// Copies share their plans.
 class ComplexFft {
  public:
   /// Transforms that `inverseTogether` does side by side.

@@ -45,7 +45,7 @@ ComplexFft::ComplexFft(std::size_t size) : size_(size) {
     const std::lock_guard lock(fftwPlanning());
     plan->one = fftwf_plan_dft_1d(length, data, data, FFTW_BACKWARD, flags);
     plan->side = fftwf_plan_many_dft(1, &length, side, data, nullptr, side, 1, data, nullptr, side,
-                                      1, FFTW_BACKWARD, flags);
+                                     1, FFTW_BACKWARD, flags);
   }
   if (!plan->one || !plan->side) {
     throw std::runtime_error("a Fourier transform of this length cannot be planned");

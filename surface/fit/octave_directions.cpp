@@ -87,7 +87,8 @@ double directionalWidthFor(double exponent) {
 std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves, double exponent,
                                      std::size_t count) {
   if (std::isinf(exponent)) return octaves;
-  return spreadDirections(octaves, [=](const Octave&) { return exponent; }, count);
+  return spreadDirections(
+      octaves, [=](const Octave&) { return exponent; }, count);
 }
 
 std::vector<Octave> spreadDirections(const std::vector<Octave>& octaves,

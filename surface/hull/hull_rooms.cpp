@@ -39,8 +39,8 @@ struct Lattice {
     for (int z = 0; z < count.z; ++z) {
       for (int y = 0; y < count.y; ++y) {
         for (int x = 0; x < count.x; ++x) {
-          // Thicker by half a step on either side, so that thin walls hold; rooms take it back, and a
-          // quarter more, so that no sea shows along the wall.
+          // Thicker by half a step on either side, so that thin walls hold; rooms take it back, and
+          // a quarter more, so that no sea shows along the wall.
           const bool hull = distance.at(place({x, y, z})) < 0.5 * step;
           at({x, y, z}) = hull ? Point::hull : Point::open;
         }

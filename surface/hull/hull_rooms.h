@@ -18,8 +18,8 @@ struct HullRoom {
 /// points along the longest side by the mesh's signed distance (HullDistance); walls thinner than
 /// half a lattice step may leak. Each hollow is cut into pieces along x, convex by eight planes
 /// about their sections that run straight between the ends: hollows that are convex seen from
-/// inside are filled within a lattice step, and pass the outside of a wall of two steps by no more where
-/// its section is round; others are overfilled.
+/// inside are filled within a lattice step, and pass the outside of a wall of two steps by no more
+/// where its section is round; others are overfilled.
 std::vector<HullRoom> roomsOf(const TriangleMesh& mesh);
 
 }  // namespace seaway

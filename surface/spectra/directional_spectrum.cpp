@@ -17,19 +17,21 @@ std::optional<std::string> DirectionalSpectrum::validate() const {
   constexpr double highestR = 1.0 + 1e-2;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const DirectionalMoments& m = moments[i];
-    if ((m.hasFirst() && m.r1() > highestR) || (m.hasSecond() && std::hypot(m.a2, m.b2) > highestR)) {
+    if ((m.hasFirst() && m.r1() > highestR) ||
+        (m.hasSecond() && std::hypot(m.a2, m.b2) > highestR)) {
       message << "directional moment above 1 at " << energy.frequency[i] << " Hz";
       return message.str();
     }
   }
   if (density.size() != count * direction.size()) {
-    message << density.size() << " densities for " << count << " frequencies and " << direction.size()
-            << " directions";
+    message << density.size() << " densities for " << count << " frequencies and "
+            << direction.size() << " directions";
     return message.str();
   }
   for (std::size_t i = 0; i < density.size(); ++i) {
     if (!(std::isfinite(density[i]) && density[i] >= 0.0)) {
-      message << "density " << density[i] << " m2/Hz/rad at " << energy.frequency[i / direction.size()]
+      message << "density " << density[i] << " m2/Hz/rad at "
+              << energy.frequency[i / direction.size()]
               << " Hz is not allowed; must be finite and >= 0";
       return message.str();
     }

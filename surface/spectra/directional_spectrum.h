@@ -12,7 +12,8 @@
 namespace seaway {
 
 /// The first two Fourier moments of the distribution D(θ) of the energy over direction at one
-/// frequency, ∫D dθ = 1. θ is where the waves go, rad counter-clockwise from east. NaN: not measured.
+/// frequency, ∫D dθ = 1. θ is where the waves go, rad counter-clockwise from east. NaN: not
+/// measured.
 struct DirectionalMoments {
   double a1 = std::numeric_limits<double>::quiet_NaN();  ///< ∫ D cos θ dθ
   double b1 = std::numeric_limits<double>::quiet_NaN();  ///< ∫ D sin θ dθ
@@ -22,7 +23,7 @@ struct DirectionalMoments {
   bool hasFirst() const { return std::isfinite(a1) && std::isfinite(b1); }
   bool hasSecond() const { return std::isfinite(a2) && std::isfinite(b2); }
 
-  double r1() const { return std::hypot(a1, b1); }             ///< 0: from everywhere, 1: one direction
+  double r1() const { return std::hypot(a1, b1); }  ///< 0: from everywhere, 1: one direction
   double meanDirection() const { return std::atan2(b1, a1); }  ///< rad, toward
   /// Directional spread √(2(1 − r₁)), rad (Kuik et al. 1988).
   double spread() const { return std::sqrt(2.0 * (r1() > 1.0 ? 0.0 : 1.0 - r1())); }

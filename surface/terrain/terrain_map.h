@@ -43,8 +43,8 @@ class TerrainMap {
 
   const Grid& grid() const { return grid_; }
   const TerrainLook& look() const { return look_; }
-  double lowest() const { return lowest_; }    ///< m
-  double highest() const { return highest_; }  ///< m
+  double lowest() const { return lowest_; }      ///< m
+  double highest() const { return highest_; }    ///< m
   double steepest() const { return steepest_; }  ///< slope, rise over run
   glm::dvec2 least() const { return grid_.origin; }
   glm::dvec2 most() const { return most_; }

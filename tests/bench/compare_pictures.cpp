@@ -109,8 +109,7 @@ Json effectsThatAreOn(const EffectLedger& ledger) {
   Json names = Json::array();
   for (const EffectReport& report : ledger.report()) {
     if (report.state != EffectState::on) continue;
-    names.push_back(
-        std::string(effectName(report.effect)));
+    names.push_back(std::string(effectName(report.effect)));
   }
   return names;
 }

@@ -37,8 +37,7 @@ constexpr GridVariant variants[] = {GridVariant::cpuVertices, GridVariant::softw
 
 /// Twelve group octaves of a wind sea, their directions spread.
 std::vector<Octave> spreadOctaves() {
-  std::vector<Octave> octaves =
-      fitGroupOctaves(jonswap({1.12, 5.6, 3.3}), {.octaves = 12}).octaves;
+  std::vector<Octave> octaves = fitGroupOctaves(jonswap({1.12, 5.6, 3.3}), {.octaves = 12}).octaves;
   for (std::size_t i = 0; i < octaves.size(); ++i) {
     octaves[i].toward = 0.5 * std::sin(2.4 * static_cast<double>(i));
   }
@@ -156,10 +155,9 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
   for (const Setup& setup : setups) {
     for (const auto variant : variants) {
-      benchmark::RegisterBenchmark(caseName(setup, variant).c_str(),
-                                   [&setup, variant](benchmark::State& state) {
-                                     measure(state, setup, variant);
-                                   })
+      benchmark::RegisterBenchmark(
+          caseName(setup, variant).c_str(),
+          [&setup, variant](benchmark::State& state) { measure(state, setup, variant); })
           ->Unit(benchmark::kMillisecond)
           ->UseRealTime()
           ->MeasureProcessCPUTime();

@@ -167,7 +167,8 @@ TEST(WaveMap, TalliesTheLargestHeightAndTheVerticesInView) {
     map.fill(twin, rows, size.x, camera);
     EXPECT_NEAR(map.tally().largestHeight, grid.largestHeight(), 1e-5);
     // A vertex on the picture's edge may fall to either side.
-    EXPECT_NEAR(static_cast<double>(map.tally().verticesInFrustum), grid.verticesInFrustum(camera), 3.0);
+    EXPECT_NEAR(static_cast<double>(map.tally().verticesInFrustum), grid.verticesInFrustum(camera),
+                3.0);
   }
 }
 

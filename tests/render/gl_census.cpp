@@ -14,17 +14,17 @@ void note(const char* kind, long change) {
 }
 
 /// A function of the loader and what it was before.
-#define SEAWAY_COUNTED_MAKER(Name, kind)                                   \
-  decltype(glad_gl##Name) before##Name = nullptr;                          \
-  void GLAD_API_PTR counted##Name(GLsizei n, GLuint* names) {              \
-    note(kind, n);                                                         \
-    before##Name(n, names);                                                \
+#define SEAWAY_COUNTED_MAKER(Name, kind)                      \
+  decltype(glad_gl##Name) before##Name = nullptr;             \
+  void GLAD_API_PTR counted##Name(GLsizei n, GLuint* names) { \
+    note(kind, n);                                            \
+    before##Name(n, names);                                   \
   }
-#define SEAWAY_COUNTED_DELETER(Name, kind)                                 \
-  decltype(glad_gl##Name) before##Name = nullptr;                          \
-  void GLAD_API_PTR counted##Name(GLsizei n, const GLuint* names) {        \
-    for (GLsizei i = 0; i < n; ++i) note(kind, names[i] != 0 ? -1 : 0);    \
-    before##Name(n, names);                                                \
+#define SEAWAY_COUNTED_DELETER(Name, kind)                              \
+  decltype(glad_gl##Name) before##Name = nullptr;                       \
+  void GLAD_API_PTR counted##Name(GLsizei n, const GLuint* names) {     \
+    for (GLsizei i = 0; i < n; ++i) note(kind, names[i] != 0 ? -1 : 0); \
+    before##Name(n, names);                                             \
   }
 SEAWAY_COUNTED_MAKER(CreateBuffers, "buffer")
 SEAWAY_COUNTED_MAKER(CreateVertexArrays, "vertex array")
@@ -61,10 +61,10 @@ void GLAD_API_PTR countedDeleteShader(GLuint name) {
   beforeDeleteShader(name);
 }
 
-#define SEAWAY_EVERY_COUNTED(Do)                                                              \
-  Do(CreateBuffers) Do(CreateVertexArrays) Do(CreateFramebuffers) Do(GenTextures)             \
-  Do(DeleteBuffers) Do(DeleteVertexArrays) Do(DeleteFramebuffers) Do(DeleteTextures)          \
-  Do(CreateTextures) Do(CreateProgram) Do(DeleteProgram) Do(CreateShader) Do(DeleteShader)
+#define SEAWAY_EVERY_COUNTED(Do)                                                         \
+  Do(CreateBuffers) Do(CreateVertexArrays) Do(CreateFramebuffers) Do(GenTextures)        \
+      Do(DeleteBuffers) Do(DeleteVertexArrays) Do(DeleteFramebuffers) Do(DeleteTextures) \
+          Do(CreateTextures) Do(CreateProgram) Do(DeleteProgram) Do(CreateShader) Do(DeleteShader)
 
 }  // namespace
 

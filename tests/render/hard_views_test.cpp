@@ -1,3 +1,5 @@
+#include "tests/render/hard_views.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "render/compare_frames.h"
 #include "surface/surface_ray.h"
-#include "tests/render/hard_views.h"
 
 // Cameras and seas that break simpler renderers, drawn by every variant of the projected grid and
 // held against rays.

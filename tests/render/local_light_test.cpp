@@ -62,7 +62,9 @@ TEST(LocalLight, APoleIsMirroredWhereTheMirroredCameraSeesIt) {
     const auto technique = inGl ? makeProjectedGrid(test::sharedContext(), {.grid = {128, 256}})
                                 : makeSoftwareGrid({.grid = {128, 256}});
     const Frame with = stage.draw(*technique), bare = without.draw(*technique);
-    const auto at = [&](double x, double y, double z) { return test::pixelOf(stage.camera, {x, y, z}); };
+    const auto at = [&](double x, double y, double z) {
+      return test::pixelOf(stage.camera, {x, y, z});
+    };
     // By the mirrored corners; its nearer side hides the water between it and the farther one.
     const double top = at(29.7, 1.0, 0.0).y, bottom = at(29.7, 1.0, -3.0).y;
     const double left = at(29.7, 1.3, -1.5).x, right = at(29.7, 0.7, -1.5).x;

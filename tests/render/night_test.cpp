@@ -261,7 +261,8 @@ TEST(Night, TheMoonsDiscIsLitByItsPhase) {
     scene.camera.worldFromCamera = attitude(0.4, 0.5, 0.0);
     const Frame frame = scene.draw();
     int lit = 0;
-    for (std::size_t i = 1; i < frame.colour.rgb.size(); i += 3) lit += frame.colour.rgb[i] > bright;
+    for (std::size_t i = 1; i < frame.colour.rgb.size(); i += 3)
+      lit += frame.colour.rgb[i] > bright;
     return lit / (100.0 * 100.0);
   };
   // Brighter than the glare about a full moon; a crescent has little.

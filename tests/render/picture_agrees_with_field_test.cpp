@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "surface/surface_ray.h"
 #include "render/unproject.h"
+#include "surface/surface_ray.h"
 #include "tests/render/seas.h"
 
 // The picture and the query answer from one field: what the depth image says the water's height is,

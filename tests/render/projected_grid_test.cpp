@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "surface/curvature.h"
-#include "surface/surface_ray.h"
 #include "surface/input_error.h"
+#include "surface/surface_ray.h"
 #include "tests/render/seas.h"
 
 namespace seaway::render {

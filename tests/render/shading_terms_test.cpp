@@ -68,7 +68,8 @@ TEST(ShadingTerms, LinearExtinctionEndsWhereTheExponentialLeavesAFewOfAHundred) 
     const double share = 1.0 - fresnelReflectance(1.0);
     c.extinctionIsLinear = false;
     const double left = std::exp(-3.0 * depth / 4.5);
-    EXPECT_NEAR(water.radiance(0.0).r / share, left, 2e-3) << depth;  // light's own way down is its object's
+    EXPECT_NEAR(water.radiance(0.0).r / share, left, 2e-3)
+        << depth;  // light's own way down is its object's
     c.extinctionIsLinear = true;
     const double line = std::max(1.0 - depth / 4.5, 0.0);
     EXPECT_NEAR(water.radiance(0.0).r / share, line, 2e-3) << depth;

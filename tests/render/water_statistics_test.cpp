@@ -131,8 +131,9 @@ TEST(WaterStatistics, GlitterIsAsBrightAsSixteenSamplesOfAFinerGridMakeIt) {
       std::printf("%4.0f m, sun %2.0f°, %4.0f to %4.0f m: %.3f against %.3f, %+.1f %%\n",
                   band.height, suns[k], band.from, band.to, coarse[k].mean(), fine[k].mean(),
                   100.0 * (coarse[k].mean() / fine[k].mean() - 1.0));
-      // 2.8 % at worst, of which sampling makes 0.3 %. Beyond two deviations of slope, a sun of 40°, it holds because
-      // what the coarse grid lacks leans as the waves do: taken as even it would be 10 % too dark.
+      // 2.8 % at worst, of which sampling makes 0.3 %. Beyond two deviations of slope, a sun of
+      // 40°, it holds because what the coarse grid lacks leans as the waves do: taken as even it
+      // would be 10 % too dark.
       EXPECT_NEAR(coarse[k].mean() / fine[k].mean(), 1.0, 0.035);
     }
   }

@@ -18,10 +18,10 @@
 
 namespace {
 
-constexpr int side = 513;          // heights
-constexpr double spacing = 4.0;    // m
+constexpr int side = 513;        // heights
+constexpr double spacing = 4.0;  // m
 constexpr double black = -40.0, white = 120.0;
-constexpr double step = 0.04;      // m: finer steps would only make the file larger
+constexpr double step = 0.04;  // m: finer steps would only make the file larger
 
 double smoothLeast(double a, double b, double width) {
   const double part = glm::clamp(0.5 + 0.5 * (b - a) / width, 0.0, 1.0);
@@ -31,9 +31,9 @@ double smoothLeast(double a, double b, double width) {
 /// Distance within the island's outline but for its bay, about, m.
 double withinIsland(glm::dvec2 p) {
   const double angle = std::atan2(p.y, p.x), away = glm::length(p * glm::dvec2(0.86, 1.1));
-  const double reach = 500.0 * (1.0 + 0.13 * std::cos(2.0 * angle + 0.7) +
-                                0.08 * std::cos(3.0 * angle - 1.1)) +
-                       34.0 * noise(p, 170.0) + 11.0 * noise(p, 55.0);
+  const double reach =
+      500.0 * (1.0 + 0.13 * std::cos(2.0 * angle + 0.7) + 0.08 * std::cos(3.0 * angle - 1.1)) +
+      34.0 * noise(p, 170.0) + 11.0 * noise(p, 55.0);
   return reach - away;
 }
 
@@ -49,7 +49,8 @@ double ground(glm::dvec2 p, double d) {
   // The north is steep to the water.
   const double north = glm::smoothstep(60.0, 330.0, p.y + 60.0 * noise(p, 150.0));
   const double cliff = 27.0 * north * glm::smoothstep(2.0, 26.0, d);
-  return beach + 125.0 * rise * (0.15 + ridges(p, 260.0) * ridges(p, 260.0)) + cliff * (0.7 + 0.5 * ridges(p, 260.0));
+  return beach + 125.0 * rise * (0.15 + ridges(p, 260.0) * ridges(p, 260.0)) +
+         cliff * (0.7 + 0.5 * ridges(p, 260.0));
 }
 
 double bed(glm::dvec2 p, double away) {
@@ -84,7 +85,8 @@ int main(int count, char** arguments) {
     for (int column = 0; column < side; ++column) {
       const glm::dvec2 p = spacing * (glm::dvec2(column, side - 1 - row) - 0.5 * (side - 1));
       const double z = std::clamp(std::round(height(p) / step) * step, black, white);
-      grey.push_back(static_cast<std::uint16_t>(std::lround((z - black) / (white - black) * 65535)));
+      grey.push_back(
+          static_cast<std::uint16_t>(std::lround((z - black) / (white - black) * 65535)));
     }
   }
   return writeGrey(arguments[1], side, grey);

@@ -56,8 +56,9 @@ TEST(BuoyAnalysis, ReadsARegularWavesHeightPeriodAndDirection) {
     EXPECT_NEAR(sea.significantWaveHeight, 4.0 * 0.8 / std::sqrt(2.0), 1e-12);
     EXPECT_NEAR(sea.peakPeriod, 1.0 / frequency, 1e-9);
     for (const DirectionalMoments& direction : {sea.peak, sea.overall}) {
-      EXPECT_NEAR(std::remainder(direction.meanDirection() - radiansFromDegrees(toward_deg), 2.0 * pi),
-                  0.0, 1e-9);
+      EXPECT_NEAR(
+          std::remainder(direction.meanDirection() - radiansFromDegrees(toward_deg), 2.0 * pi), 0.0,
+          1e-9);
       EXPECT_NEAR(direction.spread(), 0.0, 1e-6);  // √ of the rounding of r₁
       EXPECT_NEAR(direction.a2, std::cos(2.0 * radiansFromDegrees(toward_deg)), 1e-9);
       EXPECT_NEAR(direction.b2, std::sin(2.0 * radiansFromDegrees(toward_deg)), 1e-9);
@@ -189,8 +190,9 @@ TEST(BuoyAnalysisHard, FlatWaterHasNoHeightAndNoDirection) {
   const BuoyAnalysis sea = analyseBuoy(recordOf({}));
   EXPECT_EQ(sea.significantWaveHeight, 0.0);
   EXPECT_EQ(sea.significantWaveHeightError, 0.0);
-  for (const double undefined : {sea.peakPeriod, sea.zeroCrossingPeriod, sea.kurtosis, sea.skewness,
-                                 sea.overall.meanDirection(), sea.overall.spread(), sea.peak.meanDirection()}) {
+  for (const double undefined :
+       {sea.peakPeriod, sea.zeroCrossingPeriod, sea.kurtosis, sea.skewness,
+        sea.overall.meanDirection(), sea.overall.spread(), sea.peak.meanDirection()}) {
     EXPECT_TRUE(std::isnan(undefined));
   }
 }

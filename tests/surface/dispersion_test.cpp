@@ -36,7 +36,8 @@ TEST(Dispersion, ShallowWaterTravelsAtRootGd) {
 TEST(Dispersion, GroupSpeedIsTheDerivativeOfFrequency) {
   for (const double depth : {2.0, 20.0, deepWater}) {
     const double k = 0.3, step = 1e-5;
-    const double difference = (angularFrequency(k + step, depth) - angularFrequency(k - step, depth)) / (2 * step);
+    const double difference =
+        (angularFrequency(k + step, depth) - angularFrequency(k - step, depth)) / (2 * step);
     EXPECT_NEAR(groupSpeed(k, depth), difference, 1e-8);  // step² times the third derivative
   }
 }

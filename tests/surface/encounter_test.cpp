@@ -15,16 +15,16 @@
 namespace seaway {
 namespace {
 
-constexpr double step = 0.5;             // s
-constexpr std::size_t samples = 2400;    // 20 min a run
-constexpr std::size_t runCount = 96;         // 2 km apart, beyond any crest: independent
+constexpr double step = 0.5;           // s
+constexpr std::size_t samples = 2400;  // 20 min a run
+constexpr std::size_t runCount = 96;   // 2 km apart, beyond any crest: independent
 
 /// Runs along +x at `speed` through a long-crested sea that goes the same way.
 struct Runs {
-  double variance = 0.0;        // mean over runs, m²
-  double rateVariance = 0.0;    // of dη/dt on board, m²/s²
-  double scatterOfHm0 = 0.0;    // coefficient of variation of H_m0 between runs
-  FrequencySpectrum spectrum;   // by encounter frequency, mean over runs
+  double variance = 0.0;       // mean over runs, m²
+  double rateVariance = 0.0;   // of dη/dt on board, m²/s²
+  double scatterOfHm0 = 0.0;   // coefficient of variation of H_m0 between runs
+  FrequencySpectrum spectrum;  // by encounter frequency, mean over runs
 };
 
 Runs sail(const WaveField& field, double speed) {

@@ -23,9 +23,12 @@ std::vector<Octave> octavesOf(OctaveKind kind, int count, double depth) {
   std::vector<Octave> octaves;
   for (int i = 0; i < count; ++i) {
     const double f = 0.08 * std::pow(1.06, i), a = 0.05 + 0.003 * i, toward = uniform(random);
-    if (kind == OctaveKind::group) octaves.push_back(makeGroupOctave(a, f, 0.15 * f, toward, 0.5, depth));
-    if (kind == OctaveKind::perlin) octaves.push_back(makePerlinOctave(a, 0.9 / (f * f), toward, depth));
-    if (kind == OctaveKind::regular) octaves.push_back(makeRegularWave(a, f, toward, uniform(random), depth));
+    if (kind == OctaveKind::group)
+      octaves.push_back(makeGroupOctave(a, f, 0.15 * f, toward, 0.5, depth));
+    if (kind == OctaveKind::perlin)
+      octaves.push_back(makePerlinOctave(a, 0.9 / (f * f), toward, depth));
+    if (kind == OctaveKind::regular)
+      octaves.push_back(makeRegularWave(a, f, toward, uniform(random), depth));
   }
   return octaves;
 }
@@ -84,7 +87,8 @@ TEST_P(FieldKernels, OnePointGivesTheBitsOfAnyBatch) {
     const WaveField field(mixedOctaves(count, 20.0), {.depth = 20.0, .current = {0.2, 0.1}});
     const auto points = randomPoints(300, 2e3);
     for (const double tolerance : {0.0, 0.5 * field.standardDeviation()}) {
-      const SampleOptions options{.tolerance = tolerance, .shortestWavelength = tolerance > 0.0 ? 20.0 : 0.0};
+      const SampleOptions options{.tolerance = tolerance,
+                                  .shortestWavelength = tolerance > 0.0 ? 20.0 : 0.0};
       std::vector<SurfaceSample> batch(points.size()), parts(points.size());
       field.sample(points, 4.2, batch, options);
       for (std::size_t i = 0; i < points.size(); i += 7) {
@@ -147,7 +151,8 @@ TEST_P(FieldKernelsHard, PointsBesideLatticeLinesAreRight) {
   const WaveField field({octave});
   std::vector<glm::dvec2> points;
   for (int cell = -50; cell < 50; ++cell) {
-    for (const double off : {-1e-14, -1e-16, 0.0, 1e-16, 1e-14}) points.push_back({cell + off, cell - off});
+    for (const double off : {-1e-14, -1e-16, 0.0, 1e-16, 1e-14})
+      points.push_back({cell + off, cell - off});
   }
   std::vector<SurfaceSample> fast(points.size()), truth(points.size());
   field.sample(points, 0.0, fast);
@@ -194,7 +199,8 @@ std::array<float, 3> pinnedSample(OctaveKind kind) {
   std::vector<Octave> octaves;
   for (int i = 0; i < 6; ++i) {
     const double f = 0.08 + 0.02 * i, toward = 0.3 * i;
-    if (kind == OctaveKind::group) octaves.push_back(makeGroupOctave(0.1, f, 0.15 * f, toward, 0.5));
+    if (kind == OctaveKind::group)
+      octaves.push_back(makeGroupOctave(0.1, f, 0.15 * f, toward, 0.5));
     if (kind == OctaveKind::perlin) octaves.push_back(makePerlinOctave(0.1, 0.9 / (f * f), toward));
     if (kind == OctaveKind::regular) octaves.push_back(makeRegularWave(0.1, f, toward, 0.1 * i));
   }
@@ -208,11 +214,14 @@ TEST_P(FieldKernels, BitsArePinned) {
   // machines agree; SSE4 has none and rounds otherwise.
   using Bits = std::array<float, 3>;
   const bool fused = std::string(GetParam()) != "SSE4";
-  EXPECT_EQ(pinnedSample(OctaveKind::group), fused ? (Bits{-0x1.3b85d2p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad8p-2f})
-                                                   : (Bits{-0x1.3b85c4p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad6p-2f}));
-  EXPECT_EQ(pinnedSample(OctaveKind::perlin), fused ? (Bits{-0x1.5ca5fp-3f, 0x1.534042p-8f, -0x1.04a3bep-3f})
-                                                    : (Bits{-0x1.5ca5f4p-3f, 0x1.53404p-8f, -0x1.04a3bap-3f}));
-  EXPECT_EQ(pinnedSample(OctaveKind::regular), (Bits{0x1.e7b334p-4f, -0x1.359fd2p-9f, -0x1.52b54p-7f}));
+  EXPECT_EQ(pinnedSample(OctaveKind::group),
+            fused ? (Bits{-0x1.3b85d2p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad8p-2f})
+                  : (Bits{-0x1.3b85c4p-4f, 0x1.0ae77ap-7f, -0x1.0a5ad6p-2f}));
+  EXPECT_EQ(pinnedSample(OctaveKind::perlin),
+            fused ? (Bits{-0x1.5ca5fp-3f, 0x1.534042p-8f, -0x1.04a3bep-3f})
+                  : (Bits{-0x1.5ca5f4p-3f, 0x1.53404p-8f, -0x1.04a3bap-3f}));
+  EXPECT_EQ(pinnedSample(OctaveKind::regular),
+            (Bits{0x1.e7b334p-4f, -0x1.359fd2p-9f, -0x1.52b54p-7f}));
 }
 
 TEST(FieldKernelMemory, AnOctaveTakesAtMost256Bytes) {
@@ -222,8 +231,10 @@ TEST(FieldKernelMemory, AnOctaveTakesAtMost256Bytes) {
 }
 
 std::string nameOfTarget(const testing::TestParamInfo<const char*>& info) { return info.param; }
-INSTANTIATE_TEST_SUITE_P(Targets, FieldKernels, testing::Values("AVX3", "AVX2", "SSE4"), nameOfTarget);
-INSTANTIATE_TEST_SUITE_P(Targets, FieldKernelsHard, testing::Values("AVX3", "AVX2", "SSE4"), nameOfTarget);
+INSTANTIATE_TEST_SUITE_P(Targets, FieldKernels, testing::Values("AVX3", "AVX2", "SSE4"),
+                         nameOfTarget);
+INSTANTIATE_TEST_SUITE_P(Targets, FieldKernelsHard, testing::Values("AVX3", "AVX2", "SSE4"),
+                         nameOfTarget);
 
 }  // namespace
 }  // namespace seaway

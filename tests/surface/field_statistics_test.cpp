@@ -84,7 +84,8 @@ TEST(FieldStatistics, CrestsTravelAsTheDispersionRelationSays) {
   const WaveField field = fitted(24);
   std::vector<glm::dvec2> staffs;  // pairs kilometres apart: independent records
   for (std::size_t pair = 0; pair < pairs; ++pair) {
-    const glm::dvec2 place(5000.0 * static_cast<double>(pair % 20), 5000.0 * static_cast<double>(pair / 20));
+    const glm::dvec2 place(5000.0 * static_cast<double>(pair % 20),
+                           5000.0 * static_cast<double>(pair / 20));
     staffs.push_back(place);
     staffs.push_back(place + unitVector(0.7) * distance);
   }

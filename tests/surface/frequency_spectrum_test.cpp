@@ -33,7 +33,9 @@ TEST(FrequencySpectrumHard, ASpectrumWithoutEnergyHasNoPeak) {
 }
 
 TEST(FrequencySpectrumHard, EveryFaultIsNamed) {
-  const auto problem = [](FrequencySpectrum spectrum) { return spectrum.validate().value_or("none"); };
+  const auto problem = [](FrequencySpectrum spectrum) {
+    return spectrum.validate().value_or("none");
+  };
   EXPECT_EQ(problem(triangle), "none");
   EXPECT_EQ(problem({{0.1}, {1.0}}), "at least 2 frequencies are needed");
   EXPECT_EQ(problem({{0.1, 0.2}, {1.0}}), "as many densities as frequencies are needed");

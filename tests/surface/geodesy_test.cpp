@@ -16,8 +16,9 @@ namespace seaway {
 namespace {
 
 const GeodeticPosition canaveral{28.878, -78.467, 0.0};
-const GeodeticPosition anchors[] = {canaveral, {0.0, 0.0, 0.0}, {60.0, 5.0, 0.0}, {-35.0, 180.0, 0.0},
-                                    {89.9, 20.0, 0.0}, {90.0, 0.0, 0.0}, {-90.0, 45.0, 0.0}};
+const GeodeticPosition anchors[] = {canaveral,           {0.0, 0.0, 0.0},   {60.0, 5.0, 0.0},
+                                    {-35.0, 180.0, 0.0}, {89.9, 20.0, 0.0}, {90.0, 0.0, 0.0},
+                                    {-90.0, 45.0, 0.0}};
 
 TEST(Geodesy, RoundTripsWithinAMicrometreOutTo500Kilometres) {
   for (const GeodeticPosition& anchor : anchors) {
@@ -26,9 +27,12 @@ TEST(Geodesy, RoundTripsWithinAMicrometreOutTo500Kilometres) {
       for (int i = 0; i < 12; ++i) {
         const glm::dvec2 point = radius * unitVector(0.1 + i * pi / 6);
         const GeodeticPosition there = geodesy.geodeticFromSeaPlane(point);
-        const SeaPlanePoint back = geodesy.seaPlaneFromGeodetic(there.latitude_deg, there.longitude_deg);
-        // Issue: 1 mm within 200 km; degrees in double are spaced 2e-9 m, so a micrometre is generous.
-        EXPECT_LT(glm::distance(point, back.position), 1e-6) << anchor.latitude_deg << ' ' << radius;
+        const SeaPlanePoint back =
+            geodesy.seaPlaneFromGeodetic(there.latitude_deg, there.longitude_deg);
+        // Issue: 1 mm within 200 km; degrees in double are spaced 2e-9 m, so a micrometre is
+        // generous.
+        EXPECT_LT(glm::distance(point, back.position), 1e-6)
+            << anchor.latitude_deg << ' ' << radius;
         EXPECT_TRUE(back.inRange);
       }
     }
@@ -38,10 +42,12 @@ TEST(Geodesy, RoundTripsWithinAMicrometreOutTo500Kilometres) {
 TEST(Geodesy, DistanceAndAzimuthFromTheAnchorAreTheGeodesics) {
   const Geodesy geodesy(canaveral);
   double distance, azimuth_deg, end_deg;
-  GeographicLib::Geodesic::WGS84().Inverse(28.878, -78.467, 29.9, -77.2, distance, azimuth_deg, end_deg);
+  GeographicLib::Geodesic::WGS84().Inverse(28.878, -78.467, 29.9, -77.2, distance, azimuth_deg,
+                                           end_deg);
   const SeaPlanePoint point = geodesy.seaPlaneFromGeodetic(29.9, -77.2);
   EXPECT_NEAR(glm::length(point.position), distance, 1e-6);
-  EXPECT_NEAR(degreesFromRadians(std::atan2(point.position.x, point.position.y)), azimuth_deg, 1e-10);
+  EXPECT_NEAR(degreesFromRadians(std::atan2(point.position.x, point.position.y)), azimuth_deg,
+              1e-10);
 }
 
 TEST(Geodesy, StatedScaleErrorIsWhatShortLinesShow) {
@@ -50,7 +56,8 @@ TEST(Geodesy, StatedScaleErrorIsWhatShortLinesShow) {
   const GeodeticPosition a = geodesy.geodeticFromSeaPlane(point - 500.0 * across);
   const GeodeticPosition b = geodesy.geodeticFromSeaPlane(point + 500.0 * across);
   double metres;
-  GeographicLib::Geodesic::WGS84().Inverse(a.latitude_deg, a.longitude_deg, b.latitude_deg, b.longitude_deg, metres);
+  GeographicLib::Geodesic::WGS84().Inverse(a.latitude_deg, a.longitude_deg, b.latitude_deg,
+                                           b.longitude_deg, metres);
   EXPECT_NEAR(1000.0 / metres - 1.0, geodesy.describe(point).scaleError, 1e-8);
   // Asked: at most 5e-4 within 200 km.
   EXPECT_LT(geodesy.describe(200e3 * unitVector(0.3)).scaleError, 1.7e-4);
@@ -61,14 +68,16 @@ TEST(Geodesy, TrueHeadingsTurnAgainstTheGridAwayFromTheAnchor) {
   const glm::dvec2 east(150e3, 0.0);
   // Moving true north by a metre must move along the direction stated for heading 0.
   const GeodeticPosition here = geodesy.geodeticFromSeaPlane(east);
-  const SeaPlanePoint north = geodesy.seaPlaneFromGeodetic(here.latitude_deg + 1e-5, here.longitude_deg);
+  const SeaPlanePoint north =
+      geodesy.seaPlaneFromGeodetic(here.latitude_deg + 1e-5, here.longitude_deg);
   const glm::dvec2 moved = glm::normalize(north.position - east);
   const double direction = geodesy.directionFromTrueHeading(east, 0.0);
   EXPECT_NEAR(glm::dot(moved, unitVector(direction)), 1.0, 1e-9);
   // Meridian convergence: grid convergence is 2.3° at 150 km, 60° N.
   EXPECT_NEAR(std::abs(degreesFromRadians(geodesy.describe(east).convergence)), 2.3, 0.05);
   EXPECT_NEAR(geodesy.trueHeadingFromDirection(east, direction), 0.0, 1e-9);
-  EXPECT_NEAR(geodesy.trueHeadingFromDirection(east, geodesy.directionFromTrueHeading(east, 211.0)), 211.0, 1e-9);
+  EXPECT_NEAR(geodesy.trueHeadingFromDirection(east, geodesy.directionFromTrueHeading(east, 211.0)),
+              211.0, 1e-9);
 }
 
 TEST(Geodesy, FramesAreRightHandedAndUpIsTheEllipsoidsNormal) {
@@ -99,7 +108,8 @@ void writeConstantGeoid(const std::filesystem::path& folder, double height) {
        << "# MaxBilinearError 0\n# RMSBilinearError 0\n# MaxCubicError 0\n# RMSCubicError 0\n"
        << "# Offset -108\n# Scale 0.003\n36 19\n65535\n";
   const auto pixel = static_cast<unsigned>(std::lround((height + 108.0) / 0.003));
-  for (int i = 0; i < 36 * 19; ++i) file.put(static_cast<char>(pixel >> 8)).put(static_cast<char>(pixel & 255));
+  for (int i = 0; i < 36 * 19; ++i)
+    file.put(static_cast<char>(pixel >> 8)).put(static_cast<char>(pixel & 255));
 }
 
 TEST(Geodesy, SeaLevelAddsTheGeoidWhereItsDataAreInstalled) {
@@ -109,7 +119,8 @@ TEST(Geodesy, SeaLevelAddsTheGeoidWhereItsDataAreInstalled) {
   const SeaLevel level(0.5, "flat");
   unsetenv("GEOGRAPHICLIB_GEOID_PATH");
   ASSERT_TRUE(level.hasGeoid());
-  EXPECT_NEAR(level.ellipsoidalHeight(28.878, -78.467), -29.5, 1e-6);  // the format's step is 3 mm: −30 is one
+  EXPECT_NEAR(level.ellipsoidalHeight(28.878, -78.467), -29.5,
+              1e-6);  // the format's step is 3 mm: −30 is one
   std::filesystem::remove_all(folder);
 }
 

@@ -32,7 +32,8 @@ TEST(GroupOctave, VarianceIsTheOneAskedEverywhereInTheCell) {
   // Nine places of the cell, each over 20 000 cells: sampling error 1/√(2·20 000) = 0.5 % of σ;
   // issue: uniform within 1 % (of variance: 2.5 σ here, so nine places at 2 %).
   const glm::dvec2 along = unitVector(toward) * octave.lengthAlong;
-  const glm::dvec2 across = glm::dvec2(-along.y, along.x) / octave.lengthAlong * octave.lengthAcross;
+  const glm::dvec2 across =
+      glm::dvec2(-along.y, along.x) / octave.lengthAlong * octave.lengthAcross;
   for (const double u : {0.1, 0.3, 0.5}) {
     for (const double v : {0.1, 0.3, 0.5}) {
       double squares = 0.0;
@@ -59,9 +60,13 @@ TEST(GroupOctave, SlopesAndRateAreTheDerivativesOfHeight) {
       const OctaveSample sample = at(group, p, t);
       const glm::dvec2 dx(step, 0.0), dy(0.0, step);
       // Central differences: step² times third derivatives below 1; rounding 1e-13/1e-4.
-      EXPECT_NEAR(sample.slope.x, (at(group, p + dx, t).height - at(group, p - dx, t).height) / (2 * step), 2e-8);
-      EXPECT_NEAR(sample.slope.y, (at(group, p + dy, t).height - at(group, p - dy, t).height) / (2 * step), 2e-8);
-      EXPECT_NEAR(sample.verticalVelocity, (at(group, p, t + step).height - at(group, p, t - step).height) / (2 * step), 2e-8);
+      EXPECT_NEAR(sample.slope.x,
+                  (at(group, p + dx, t).height - at(group, p - dx, t).height) / (2 * step), 2e-8);
+      EXPECT_NEAR(sample.slope.y,
+                  (at(group, p + dy, t).height - at(group, p - dy, t).height) / (2 * step), 2e-8);
+      EXPECT_NEAR(sample.verticalVelocity,
+                  (at(group, p, t + step).height - at(group, p, t - step).height) / (2 * step),
+                  2e-8);
     }
   }
 }
@@ -105,7 +110,8 @@ TEST(GroupOctave, EnergyTravelsAtTheGroupSpeed) {
   for (double shift = 0.7 * expected; shift < 1.3 * expected; shift += 2.0) {
     double error = 0.0;
     for (int i = 0; i < 60; ++i) {
-      error += std::pow(energyAt(group, i * 60.0, 0.0) - energyAt(group, i * 60.0 + shift, 200.0), 2);
+      error +=
+          std::pow(energyAt(group, i * 60.0, 0.0) - energyAt(group, i * 60.0 + shift, 200.0), 2);
     }
     if (error < bestError) bestError = error, best = shift;
   }

@@ -30,8 +30,10 @@ double neighbourChiSquare(int di, int dj, int shift) {
 TEST(LatticeHash, NeighbouringCornersAreIndependent) {
   // χ² with 255 degrees of freedom has mean 255 and standard deviation 22.6; 48 tests at 4.5 σ
   // (357) fail by chance once in 3000 hashes.
-  for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}, {3, 1}, {16, 0}}) {
-    for (const int shift : {4, 12, 20}) EXPECT_LT(neighbourChiSquare(di, dj, shift), 357.0) << di << ' ' << dj << ' ' << shift;
+  for (const auto& [di, dj] :
+       {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}, {3, 1}, {16, 0}}) {
+    for (const int shift : {4, 12, 20})
+      EXPECT_LT(neighbourChiSquare(di, dj, shift), 357.0) << di << ' ' << dj << ' ' << shift;
   }
 }
 
@@ -51,7 +53,8 @@ TEST(LatticeHashHard, LongPowerOfTwoLagsAreUncorrelated) {
   // 2²⁶ cells of 0.1 m are 6700 km, more than the geodesy serves.
   for (int power = 8; power <= 26; ++power) {
     for (const int shift : {0, 8, 16}) {
-      EXPECT_LT(std::abs(correlation(1u << power, shift)), 5.0 / std::sqrt(20000.0)) << power;  // 5 σ
+      EXPECT_LT(std::abs(correlation(1u << power, shift)), 5.0 / std::sqrt(20000.0))
+          << power;  // 5 σ
     }
   }
 }

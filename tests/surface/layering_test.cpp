@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Rule {
-  std::string forbidden;          ///< start of an include's path
+  std::string forbidden;            ///< start of an include's path
   std::vector<std::string> owners;  ///< path prefixes that may include it; all others may not
 };
 
@@ -64,12 +64,13 @@ TEST(Layering, NothingIncludesUpwardsAndThirdPartiesHaveOneOwner) {
 }
 
 TEST(Layering, TheTopLevelHoldsExactlyTheAgreedEntries) {
-  const std::vector<std::string> agreed = {"CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE",
-                                           "run", "test", "surface", "render", "sim_bridge", "tests",
-                                           "configs", "build", "out"};
+  const std::vector<std::string> agreed = {
+      "CMakeLists.txt", "CMakePresets.json", "README.md", "LICENSE", "run",   "test", "surface",
+      "render",         "sim_bridge",        "tests",     "configs", "build", "out"};
   for (const auto& entry : fs::directory_iterator(SEAWAY_SOURCE_DIR)) {
     const std::string name = entry.path().filename();
-    const bool known = name.starts_with('.') || std::find(agreed.begin(), agreed.end(), name) != agreed.end();
+    const bool known =
+        name.starts_with('.') || std::find(agreed.begin(), agreed.end(), name) != agreed.end();
     EXPECT_TRUE(known) << name;
   }
 }

@@ -18,7 +18,8 @@ double heightAt(const WaveField& field, glm::dvec2 point, double t) {
   return sample.height;
 }
 
-const NewWaveOptions focus{.crestHeight = 2.5, .place = {40.0, -30.0}, .time = 60.0, .toward = 0.4, .components = 96};
+const NewWaveOptions focus{
+    .crestHeight = 2.5, .place = {40.0, -30.0}, .time = 60.0, .toward = 0.4, .components = 96};
 
 TEST(NewWave, TheCrestStandsAtItsPlaceAndTimeWithItsHeight) {
   const WaveField field(newWave(jonswap({4.0, 9.0, 3.3}), focus));
@@ -40,7 +41,8 @@ TEST(NewWave, ItsShapeInTimeIsTheAutocorrelationOfTheSpectrum) {
       sum += df * spectrum.density[i] * std::cos(2.0 * pi * spectrum.frequency[i] * lag);
     }
     // 96 bands against 600: the narrow peak is resolved to a few per cent.
-    EXPECT_NEAR(heightAt(field, focus.place, focus.time + lag), 2.5 * sum / spectrum.moment(0), 0.06 * 2.5);
+    EXPECT_NEAR(heightAt(field, focus.place, focus.time + lag), 2.5 * sum / spectrum.moment(0),
+                0.06 * 2.5);
   }
 }
 

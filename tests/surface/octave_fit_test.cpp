@@ -14,7 +14,8 @@ namespace {
 
 double fieldVariance(const OctaveFit& fit) {
   double sum = 0.0;
-  for (const Octave& octave : fit.octaves) sum += octave.standardDeviation * octave.standardDeviation;
+  for (const Octave& octave : fit.octaves)
+    sum += octave.standardDeviation * octave.standardDeviation;
   return sum;
 }
 
@@ -66,7 +67,8 @@ TEST(OctaveFit, ABuoySpectrumIsFittedInShallowWaterToo) {
   const OctaveFit shallow = fitPerlinOctaves(jonswap({1.0, 10.0, 1.0}), options);
   const OctaveFit deep = fitPerlinOctaves(jonswap({1.0, 10.0, 1.0}));
   ASSERT_TRUE(shallow.summary.usable);
-  EXPECT_LT(shallow.octaves.front().latticeSize, deep.octaves.front().latticeSize);  // shorter waves
+  EXPECT_LT(shallow.octaves.front().latticeSize,
+            deep.octaves.front().latticeSize);  // shorter waves
 }
 
 TEST(OctaveFitHard, TargetsWithoutEnergyOrNotValidAreNotUsableAndSayWhy) {
@@ -81,10 +83,10 @@ TEST(OctaveFitHard, TargetsWithoutEnergyOrNotValidAreNotUsableAndSayWhy) {
 
 TEST(OctaveFitHard, OddTargetsEndInAFitOfTheRightHeight) {
   const FrequencySpectrum targets[] = {
-      {{0.1, 0.2}, {1.0, 1.0}},                                  // two bins
+      {{0.1, 0.2}, {1.0, 1.0}},                                    // two bins
       {{0.05, 0.1, 0.15, 0.2, 0.4}, {0.0, 0.0, 1e-14, 0.0, 0.0}},  // one bin, hardly any energy
       {{0.05, 0.06, 0.07, 0.4, 0.41, 0.42}, {0.0, 1.0, 0.0, 0.0, 1.0, 0.0}},  // far apart
-      {{1e-4, 1e-3}, {1e6, 1e6}},                                // kilometres of wavelength
+      {{1e-4, 1e-3}, {1e6, 1e6}},  // kilometres of wavelength
   };
   for (const FrequencySpectrum& target : targets) {
     const OctaveFit fit = fitPerlinOctaves(target);
@@ -95,9 +97,12 @@ TEST(OctaveFitHard, OddTargetsEndInAFitOfTheRightHeight) {
 
 TEST(OctaveFitHard, OptionsOutOfRangeAreRejected) {
   const FrequencySpectrum target = jonswap({1.0, 6.0, 1.0});
-  for (const auto& change : {+[](OctaveFitOptions& o) { o.octaves = 0; }, +[](OctaveFitOptions& o) { o.octaves = 65; },
-                             +[](OctaveFitOptions& o) { o.lacunarity = 1.0; }, +[](OctaveFitOptions& o) { o.depth = 0.0; },
-                             +[](OctaveFitOptions& o) { o.tailWeight = -1.0; }, +[](OctaveFitOptions& o) { o.maxIterations = 0; }}) {
+  for (const auto& change :
+       {+[](OctaveFitOptions& o) { o.octaves = 0; }, +[](OctaveFitOptions& o) { o.octaves = 65; },
+        +[](OctaveFitOptions& o) { o.lacunarity = 1.0; },
+        +[](OctaveFitOptions& o) { o.depth = 0.0; },
+        +[](OctaveFitOptions& o) { o.tailWeight = -1.0; },
+        +[](OctaveFitOptions& o) { o.maxIterations = 0; }}) {
     OctaveFitOptions options;
     change(options);
     EXPECT_THROW(fitPerlinOctaves(target, options), InputError);

@@ -25,8 +25,9 @@ TEST(Octave, ARegularWavesStandardDeviationIsItsAmplitudeOverRootTwo) {
 }
 
 TEST(Octave, MeanSquareSlopesAreThoseOfSampledSlopes) {
-  for (const Octave& octave : {makePerlinOctave(0.3, 7.0, 0.5), makeGroupOctave(0.3, 0.4, 0.15, 0.5, 0.8),
-                               makeRegularWave(0.3, 0.4, 0.5)}) {
+  for (const Octave& octave :
+       {makePerlinOctave(0.3, 7.0, 0.5), makeGroupOctave(0.3, 0.4, 0.15, 0.5, 0.8),
+        makeRegularWave(0.3, 0.4, 0.5)}) {
     const WaveField field({octave});
     double sum = 0.0;
     constexpr int side = 300;

@@ -34,7 +34,8 @@ TEST(PerlinOctave, StandardDeviationIsTheOneAskedForAtEveryInstant) {
     constexpr int side = 400;
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
-        const double height = at(noise, {i * 13.7, j * 13.7}, 0.25 * quarter * octave.boilTime).height;
+        const double height =
+            at(noise, {i * 13.7, j * 13.7}, 0.25 * quarter * octave.boilTime).height;
         sum += height;
         squares += height * height;
       }
@@ -56,9 +57,12 @@ TEST(PerlinOctave, SlopesAndVelocityAreTheDerivativesOfHeight) {
     const OctaveSample sample = at(noise, p, t);
     const glm::dvec2 dx(step, 0.0), dy(0.0, step);
     // Central differences: error step² · third derivative ≈ 1e-8, rounding 1e-16/1e-4.
-    EXPECT_NEAR(sample.slope.x, (at(noise, p + dx, t).height - at(noise, p - dx, t).height) / (2 * step), 1e-7);
-    EXPECT_NEAR(sample.slope.y, (at(noise, p + dy, t).height - at(noise, p - dy, t).height) / (2 * step), 1e-7);
-    EXPECT_NEAR(sample.verticalVelocity, (at(noise, p, t + step).height - at(noise, p, t - step).height) / (2 * step), 1e-6);
+    EXPECT_NEAR(sample.slope.x,
+                (at(noise, p + dx, t).height - at(noise, p - dx, t).height) / (2 * step), 1e-7);
+    EXPECT_NEAR(sample.slope.y,
+                (at(noise, p + dy, t).height - at(noise, p - dy, t).height) / (2 * step), 1e-7);
+    EXPECT_NEAR(sample.verticalVelocity,
+                (at(noise, p, t + step).height - at(noise, p, t - step).height) / (2 * step), 1e-6);
   }
 }
 
@@ -85,7 +89,8 @@ TEST(PerlinOctave, SeedsAndIndicesGiveUnrelatedOctaves) {
 
 TEST(PerlinOctave, NeverExceedsItsStatedPeak) {
   double largest = 0.0;
-  for (int n = 0; n < 200000; ++n) largest = std::max(largest, std::abs(at(noise, {n * 1.37, n * 0.71}, n * 0.1).height));
+  for (int n = 0; n < 200000; ++n)
+    largest = std::max(largest, std::abs(at(noise, {n * 1.37, n * 0.71}, n * 0.1).height));
   EXPECT_LE(largest, 0.3 * PerlinOctave::peakFactor());
   EXPECT_GE(largest, 0.5 * 0.3 * PerlinOctave::peakFactor());  // and the bound is not idle
 }

@@ -80,7 +80,8 @@ TEST(WaterKinematics, SurfaceValuesAreThoseOfTheSamples) {
   for (int n = 0; n < 50; ++n) {
     const glm::dvec2 place(n * 17.0, n * 5.0);
     SurfaceSample sample;
-    waves.sampleReference(std::span(&place, 1), 2.0 * n, std::span(&sample, 1), {.orbitalVelocity = true});
+    waves.sampleReference(std::span(&place, 1), 2.0 * n, std::span(&sample, 1),
+                          {.orbitalVelocity = true});
     const WaterKinematics water = at(waves, {place, sample.height}, 2.0 * n);
     EXPECT_NEAR(water.velocity.x, sample.orbitalVelocity.x, 1e-12);
     EXPECT_NEAR(water.velocity.y, sample.orbitalVelocity.y, 1e-12);
@@ -97,7 +98,9 @@ TEST(WaterKinematics, ContinuityHoldsToTheOrderOfTheTheory) {
   double divergence = 0.0, gradient = 0.0;
   for (int n = 0; n < 400; ++n) {
     const glm::dvec3 p(n * 13.0, n * -7.0, -3.0);
-    const auto velocity = [&](glm::dvec3 offset) { return at(waves, p + offset, 1.0 * n).velocity; };
+    const auto velocity = [&](glm::dvec3 offset) {
+      return at(waves, p + offset, 1.0 * n).velocity;
+    };
     const double ux = (velocity({step, 0, 0}).x - velocity({-step, 0, 0}).x) / (2 * step);
     const double vy = (velocity({0, step, 0}).y - velocity({0, -step, 0}).y) / (2 * step);
     const double wz = (velocity({0, 0, step}).z - velocity({0, 0, -step}).z) / (2 * step);
@@ -134,8 +137,8 @@ TEST_P(WaterKinematicsKernels, AgreeWithTheReference) {
       std::vector<WaterKinematics> fast(points.size()), truth(points.size());
       sampleKinematics(waves.at(9.5), points, fast);
       sampleKinematicsReference(waves, points, 9.5, truth);
-      // 1e-5 σω of velocity, σω² of acceleration, σρg of pressure, with the highest ω coth kd of the
-      // field; beside that the spacing of doubles at `reach` times the wave number.
+      // 1e-5 σω of velocity, σω² of acceleration, σρg of pressure, with the highest ω coth kd of
+      // the field; beside that the spacing of doubles at `reach` times the wave number.
       const double sigma = waves.standardDeviation();
       const double omega = 2.0 * pi * 0.38 / std::tanh(std::min(1.0, 0.04 * depth));
       const double allowed = 1e-5 * sigma + 8.0 * (std::nextafter(reach, 1e9) - reach);
@@ -197,7 +200,8 @@ TEST(WaterKinematicsHard, FiniteFromBedToCrestInAnyDepthAndForTheShortestWaves) 
   for (const double depth : {0.5, 10.0, 1000.0, deepWater}) {
     std::vector<Octave> octaves;
     for (const double frequency : {0.02, 0.1, 1.0, 5.0}) {
-      octaves.push_back(makeGroupOctave(0.02 / frequency > 0.1 ? 0.1 : 0.02, frequency, 0.2 * frequency, 0.0, 0.5, depth));
+      octaves.push_back(makeGroupOctave(0.02 / frequency > 0.1 ? 0.1 : 0.02, frequency,
+                                        0.2 * frequency, 0.0, 0.5, depth));
     }
     const WaveField waves(octaves, {.depth = depth});
     for (int n = 0; n < 100; ++n) {
@@ -209,7 +213,8 @@ TEST(WaterKinematicsHard, FiniteFromBedToCrestInAnyDepthAndForTheShortestWaves) 
         const double z = level == 10 ? surface : bed + (surface - bed) * level / 10.0;
         const WaterKinematics water = at(waves, {place, z}, n);
         EXPECT_EQ(statusText(water.status), "ok") << depth << ' ' << z;
-        EXPECT_TRUE(std::isfinite(glm::length(water.velocity) + glm::length(water.acceleration) + water.pressure));
+        EXPECT_TRUE(std::isfinite(glm::length(water.velocity) + glm::length(water.acceleration) +
+                                  water.pressure));
         EXPECT_LT(glm::length(water.velocity), 20.0);
       }
     }

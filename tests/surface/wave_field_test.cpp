@@ -44,7 +44,8 @@ TEST(WaveField, GivesTheSameBitsForAnyBatch) {
       const std::size_t n = std::min(batch, points.size() - i);
       field.sample(std::span(points).subspan(i, n), 12.5, std::span(part).subspan(i, n));
     }
-    EXPECT_EQ(std::memcmp(whole.data(), part.data(), whole.size() * sizeof(SurfaceSample)), 0) << batch;
+    EXPECT_EQ(std::memcmp(whole.data(), part.data(), whole.size() * sizeof(SurfaceSample)), 0)
+        << batch;
   }
 }
 
@@ -57,7 +58,8 @@ TEST(WaveField, LeftOutOctavesAreReportedAndTheErrorIsAsStated) {
     field.sample(points, 3.0, rough, {.tolerance = tolerance});
     double squares = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      squares += std::pow(rough[i].height - exact[i].height, 2) / static_cast<double>(points.size());
+      squares +=
+          std::pow(rough[i].height - exact[i].height, 2) / static_cast<double>(points.size());
     }
     EXPECT_LE(rough[0].error, tolerance);
     EXPECT_TRUE(has(rough[0].status, SampleStatus::truncated));

@@ -14,9 +14,9 @@
 namespace seaway::render::test {
 
 /// Heights by a function of place about the origin.
-inline std::shared_ptr<const TerrainMap> ground(
-    glm::ivec2 count, double spacing, const std::function<double(glm::dvec2)>& height,
-    const TerrainLook& look = {}) {
+inline std::shared_ptr<const TerrainMap> ground(glm::ivec2 count, double spacing,
+                                                const std::function<double(glm::dvec2)>& height,
+                                                const TerrainLook& look = {}) {
   TerrainMap::Grid grid{-0.5 * spacing * glm::dvec2(count - 1), glm::dvec2(spacing), count, {}};
   for (int row = 0; row < count.y; ++row) {
     for (int column = 0; column < count.x; ++column) {

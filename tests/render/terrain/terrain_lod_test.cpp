@@ -16,7 +16,8 @@ namespace {
 
 using Corners = std::vector<glm::vec3>;
 
-Corners select(const TerrainMap& map, const Camera& camera, const TerrainSelection& selection = {}) {
+Corners select(const TerrainMap& map, const Camera& camera,
+               const TerrainSelection& selection = {}) {
   Corners corners;
   TerrainLod(map).select(map, camera, selection, corners);
   return corners;
@@ -59,8 +60,8 @@ TEST(TerrainLod, TrianglesMeetWithoutCracksWhateverTheirSizes) {
     const auto& [a, b] = edge;
     const bool border = (a.first == b.first && (a.first == 0 || a.first == 128)) ||
                         (a.second == b.second && (a.second == 0 || a.second == 64));
-    EXPECT_EQ(count, border ? 1 : 2) << a.first << ' ' << a.second << ' ' << b.first << ' '
-                                     << b.second;
+    EXPECT_EQ(count, border ? 1 : 2)
+        << a.first << ' ' << a.second << ' ' << b.first << ' ' << b.second;
   }
 }
 

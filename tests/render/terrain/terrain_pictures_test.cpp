@@ -48,8 +48,8 @@ TEST(TerrainPictures, FromStraightAboveWaterIsWhereQueriesFindItToAPixel) {
         int dry = 0;
         for (const int dx : {-1, 0, 1}) {
           for (const int dy : {-1, 0, 1}) {
-            dry += has(water.sample(placeOf(camera, {x + dx, y + dy}), 3.0).status,
-                       SampleStatus::dry);
+            dry +=
+                has(water.sample(placeOf(camera, {x + dx, y + dy}), 3.0).status, SampleStatus::dry);
           }
         }
         if (dry != 0 && dry != 9) continue;
@@ -79,8 +79,7 @@ TEST(TerrainPictures, GroundHasTheDepthOfTheMapsHeights) {
       for (int x = 0; x < 160; x += 3) {
         if (p.at(x, y) != PixelClass::ground) continue;
         const glm::dvec3 ray = camera.rayThrough({x, y});
-        const double range =
-            p.frame.depth.metres[p.index(x, y)] / glm::dot(ray, camera.forward());
+        const double range = p.frame.depth.metres[p.index(x, y)] / glm::dot(ray, camera.forward());
         const glm::dvec2 place = glm::dvec2(camera.position) + range * glm::dvec2(ray);
         const double height =
             camera.position.z + range * ray.z + seaDrop(range * glm::length(glm::dvec2(ray)));
@@ -117,9 +116,8 @@ TEST(TerrainPictures, AFarIslandSinksBelowTheHorizonAsTheSeasCurvatureHasIt) {
       int rows = 0;
       for (int y = 0; y < 200; ++y) rows += p.at(32, y) == PixelClass::ground;
       // Nearer than the horizon its foot stands in the water below it.
-      const double foot = near < horizonDistance(eye)
-                              ? (-eye - seaDrop(near)) / near - horizon
-                              : 0.0;
+      const double foot =
+          near < horizonDistance(eye) ? (-eye - seaDrop(near)) / near - horizon : 0.0;
       EXPECT_NEAR(rows, expected - foot / pixel, 1.0);
     }
   }
@@ -162,8 +160,8 @@ WaterSurface overFlatBed(double depth, float reflectance) {
   TerrainLook look;
   look.sand = look.grass = look.rock = look.reef = glm::vec3(reflectance);
   WaterSurface water = test::stillSea();
-  water.setTerrain(
-      test::ground({9, 9}, 20.0, [=](glm::dvec2) { return -depth; }, look));
+  water.setTerrain(test::ground(
+      {9, 9}, 20.0, [=](glm::dvec2) { return -depth; }, look));
   return water;
 }
 
@@ -257,9 +255,9 @@ TEST(TerrainPictures, AllVariantsDrawTheSamePicture) {
   for (const GridVariant variant :
        {GridVariant::cpuVertices, GridVariant::gpu, GridVariant::marched}) {
     SCOPED_TRACE(std::string(gridVariantName(variant)));
-    const Picture p = picture(
-        *makeProjectedGrid(test::sharedContext(), {.grid = {256, 256}, .variant = variant}), water,
-        camera);
+    const Picture p =
+        picture(*makeProjectedGrid(test::sharedContext(), {.grid = {256, 256}, .variant = variant}),
+                water, camera);
     double sum = 0.0;
     int pixels = 0, other = 0;
     for (std::size_t i = 0; i < truth.frame.classes.size(); ++i) {
@@ -270,7 +268,8 @@ TEST(TerrainPictures, AllVariantsDrawTheSamePicture) {
       }
       ++pixels;
       for (int c = 0; c < 3; ++c) {
-        const double off = double(p.frame.colour.rgb[3 * i + c]) - truth.frame.colour.rgb[3 * i + c];
+        const double off =
+            double(p.frame.colour.rgb[3 * i + c]) - truth.frame.colour.rgb[3 * i + c];
         sum += off * off;
       }
     }
@@ -333,7 +332,8 @@ TEST(TerrainPicturesHard, AllUnderWaterAllAboveItAndTheMapsEdgesAreDrawn) {
         } else if (level < -0.5) {
           EXPECT_EQ(ground, 0);
         }
-        EXPECT_GT(std::count(p.frame.classes.begin(), p.frame.classes.end(), PixelClass::water), 100);
+        EXPECT_GT(std::count(p.frame.classes.begin(), p.frame.classes.end(), PixelClass::water),
+                  100);
       }
     }
   }

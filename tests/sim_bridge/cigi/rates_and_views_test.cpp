@@ -50,7 +50,8 @@ TEST_F(CigiRates, ASteadyTurnIsACircle) {
   frame(1, 0.0, {ship(), RateControl{.entity = 0, .bodyAxes = true, .x = 10.0f, .yaw = 9.0f}});
   for (std::uint32_t i = 1; i <= 600; ++i) frame(1 + i, i / 60.0, {});
   const double radius = 10.0 / radiansFromDegrees(9.0);
-  // Chords of 1/60 s are short of their arc by (ωΔt)²/24 of it, 3e-7; headings are rounded as below.
+  // Chords of 1/60 s are short of their arc by (ωΔt)²/24 of it, 3e-7; headings are rounded as
+  // below.
   EXPECT_NEAR(east(), radius, 1e-3);
   // 600 additions in single precision, each rounded by up to 8e-6°.
   EXPECT_NEAR(water.entities.at(0).heading_deg, 180.0, 5e-3);

@@ -57,12 +57,8 @@ TEST(CigiSeaWaterViews, AWindowThatIsNotCentredShowsThingsWhereItsEdgesPutThem) 
   const HostEntity towards = viewed.ship({40.0, -60.0}, 0.0);  // the buoy lies ahead
   viewed.water.entitiesAt(1, 0.0, std::span(&towards, 1));
   const auto define = [&](std::uint16_t view, float left, float right) {
-    viewed.water.viewAsked(1, {.view = view,
-                               .xEnabled = true,
-                               .zEnabled = true,
-                               .entity = 0,
-                               .x = 9.0f,
-                               .z = -4.0f});
+    viewed.water.viewAsked(
+        1, {.view = view, .xEnabled = true, .zEnabled = true, .entity = 0, .x = 9.0f, .z = -4.0f});
     viewed.water.viewDefined(1, {.view = view,
                                  .leftEnabled = true,
                                  .rightEnabled = true,

@@ -45,9 +45,9 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   const std::string page = test::readFile(folder / "cost/report.html");
   std::size_t figures = 0;
   for (auto at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++figures;
-  // Octaves of queries, octaves of fits, four of hulls, three of layers, three of wakes, pictures by
-  // the grid's size and by cost, two by technique, predicted against measured errors; and shadows,
-  // where the launch shades itself.
+  // Octaves of queries, octaves of fits, four of hulls, three of layers, three of wakes, pictures
+  // by the grid's size and by cost, two by technique, predicted against measured errors; and
+  // shadows, where the launch shades itself.
   std::size_t ofLight = 0;
   for (const auto& study : report["studies"]) {
     ofLight += study["name"].get<std::string>().starts_with("light_");

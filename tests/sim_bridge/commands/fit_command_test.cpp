@@ -107,9 +107,9 @@ TEST(FitCommand, SaysThatAFrequencySpectrumHasNoDirection) {
 TEST(FitCommand, ReportsAndVerifiesAGroupFit) {
   const TempFolder folder;
   const std::string report = (folder / "report").string();
-  const auto outcome = seaway({"fit", "jonswap:2,8,3.3", "--model", "group", "--budget", "8",
-                               "--from-deg", "270", "--parameters", "--verify", "--hours", "1",
-                               "--report", report, "--json"});
+  const auto outcome =
+      seaway({"fit", "jonswap:2,8,3.3", "--model", "group", "--budget", "8", "--from-deg", "270",
+              "--parameters", "--verify", "--hours", "1", "--report", report, "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto fit = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(fit["octaves"].size(), 8u);

@@ -141,8 +141,8 @@ TEST(QueryKinematics, TimesBeforeTheEpochAreAnsweredAlikeFromOptionAndColumn) {
   EXPECT_EQ(byOption[0]["height_m"], byColumn[0]["height_m"]);
   EXPECT_TRUE(byOption[0]["height_m"].is_number());
   const TempFolder folder;
-  const auto picture = test::seaway({"render", writeWakelessScene(folder).string(), "--time", "-1", "--out",
-                                     (folder / "f.png").string()});
+  const auto picture = test::seaway({"render", writeWakelessScene(folder).string(), "--time", "-1",
+                                     "--out", (folder / "f.png").string()});
   EXPECT_EQ(picture.status, 2);
   EXPECT_NE(picture.err.find("--time"), std::string::npos) << picture.err;
 }

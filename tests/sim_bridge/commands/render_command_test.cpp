@@ -50,10 +50,10 @@ TEST(RenderCommand, UnknownCameraNamesTheNearest) {
 
 TEST(RenderCommand, ComparesThePictureWithARayCastOfTheSameSea) {
   const TempFolder folder;
-  const auto outcome = seaway({"render", writeScene(folder).string(), "--time", "1", "--size",
-                               "96x64", "--from", "28.9,-78.5,6", "--pitch", "-12", "--grid",
-                               "256x256", "--compare", "reference", "--stats", "--out",
-                               (folder / "f.png").string()});
+  const auto outcome =
+      seaway({"render", writeScene(folder).string(), "--time", "1", "--size", "96x64", "--from",
+              "28.9,-78.5,6", "--pitch", "-12", "--grid", "256x256", "--compare", "reference",
+              "--stats", "--out", (folder / "f.png").string()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["variant"], "software");
@@ -83,7 +83,8 @@ TEST(RenderCommand, RefusesWhatItCannotDrawAndLeavesNothingBehind) {
   const std::string scene = writeScene(folder).string();
   const auto before = folder.files();
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--technique", "cubes"}, "projected_grid, radial_grid, post_process, naive_grid, reference"},
+      {{"--technique", "cubes"},
+       "projected_grid, radial_grid, post_process, naive_grid, reference"},
       {{"--variant", "cubes"}, "automatic, software"},
       {{"--technique", "reference", "--variant", "software"}, "has none"},
       {{"--grid", "1x9"}, "[2, 4096]"},
@@ -94,8 +95,8 @@ TEST(RenderCommand, RefusesWhatItCannotDrawAndLeavesNothingBehind) {
       {{"--depth", (folder / "d.png").string()}, ".exr"},
       {{"--compare", "cubes"}, "reference"}};
   for (const auto& [arguments, wanted] : cases) {
-    std::vector<std::string> all = {"render", scene, "--time", "0", "--out",
-                                    (folder / "f.png").string()};
+    std::vector<std::string> all = {"render", scene,   "--time",
+                                    "0",      "--out", (folder / "f.png").string()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     const auto outcome = seaway(all);
     EXPECT_EQ(outcome.status, 2) << arguments.front() << ' ' << outcome.err;

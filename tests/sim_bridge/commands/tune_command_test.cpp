@@ -26,8 +26,8 @@ TEST(ChooseSetting, TakesTheMostExactThatIsAffordable) {
 }
 
 TEST(ChooseSettingHard, SaysWhatIsNearestWhereNothingDoes) {
-  const std::string message = test::inputErrorOf(
-      [] { chooseSetting(settings, 0.5, 2.0, "heights", units); });
+  const std::string message =
+      test::inputErrorOf([] { chooseSetting(settings, 0.5, 2.0, "heights", units); });
   EXPECT_NE(message.find("fine: 0.1 m at 9 ns"), std::string::npos) << message;
   EXPECT_NE(message.find("rough: 3 m at 1 ns"), std::string::npos) << message;
 }
@@ -75,8 +75,9 @@ TEST(Tune, OnlyFramesLikeThoseThatWereForeseenCount) {
 TEST(Tune, ARunSetsWhatItAchievesBesideWhatWasForeseen) {
   const TempFolder folder;
   const auto scene = test::writeScene(folder);
-  folder.write("scene.yaml", test::readFile(scene) +
-                                 "\ntuned: {height_m: 0.1, query_ns: 9, frame_ms: 8, step_us: 7}\n");
+  folder.write(
+      "scene.yaml",
+      test::readFile(scene) + "\ntuned: {height_m: 0.1, query_ns: 9, frame_ms: 8, step_us: 7}\n");
   const auto outcome = seaway({"run", scene.string(), "--out", (folder / "out").string(),
                                "--duration", "0.2", "--fps", "20", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

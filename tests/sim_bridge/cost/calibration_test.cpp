@@ -37,9 +37,7 @@ TEST(Calibration, BoundsHoldAndAreNoLooserThanTenTimesTheLargestError) {
   }
 }
 
-TEST(CalibrationHard, FlatWaterHasNothingToCheck) {
-  EXPECT_TRUE(of("calm.yaml").leftOut.empty());
-}
+TEST(CalibrationHard, FlatWaterHasNothingToCheck) { EXPECT_TRUE(of("calm.yaml").leftOut.empty()); }
 
 }  // namespace
 }  // namespace seaway::bridge

@@ -15,10 +15,10 @@ namespace {
 
 const std::filesystem::path source(SEAWAY_SOURCE_DIR);
 
-/// On one machine pictures are the same bits (AreTheSameBitsTwice). Other processors' vector units fuse
-/// multiplications and additions, or do not: colours may come a step away, the rim of a crest or of
-/// an object a pixel, foam's threshold in a few. No other processor has been measured: the bounds are
-/// those of such rims, a hundredth of the pixels, and half a step on average a channel.
+/// On one machine pictures are the same bits (AreTheSameBitsTwice). Other processors' vector units
+/// fuse multiplications and additions, or do not: colours may come a step away, the rim of a crest
+/// or of an object a pixel, foam's threshold in a few. No other processor has been measured: the
+/// bounds are those of such rims, a hundredth of the pixels, and half a step on average a channel.
 constexpr int farFrom = 12;       // 255ths of a channel
 constexpr double mostFar = 0.01;  // of the pixels
 constexpr double mostOnAverage = 0.5;

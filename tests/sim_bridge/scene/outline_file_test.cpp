@@ -48,11 +48,11 @@ TEST(OutlineFile, ReadsPolygonsWithHolesBareOrInFeatures) {
         "{\"type\":\"MultiPolygon\",\"coordinates\":[" + island + "]}"}) {
     const WaterOutline outline = outlineOf(text, geodesy);
     for (const auto& [latitude, longitude, wet] : {std::tuple{42.05, -122.05, true},
-                                                  {42.0, -122.0, false},
-                                                  {42.0999, -122.0999, true},
-                                                  {42.1001, -122.0, false},
-                                                  {42.0099, -122.0, false},
-                                                  {42.0101, -122.0, true}}) {
+                                                   {42.0, -122.0, false},
+                                                   {42.0999, -122.0999, true},
+                                                   {42.1001, -122.0, false},
+                                                   {42.0099, -122.0, false},
+                                                   {42.0101, -122.0, true}}) {
       EXPECT_EQ(outline.contains(geodesy.seaPlaneFromGeodetic(latitude, longitude).position), wet)
           << latitude << ' ' << longitude;
     }
@@ -74,11 +74,11 @@ TEST(OutlineFileHard, RingsMayCrossTheAntimeridianInEveryWayOfWritingIt) {
     // 0.2° of latitude and of longitude at 17° S on WGS84: 22.13 km by 21.30 km.
     EXPECT_NEAR(outline.area(), 22131.0 * 21298.0, 0.001 * 22131.0 * 21298.0);
     for (const auto& [longitude, wet] : {std::pair{179.95, true},
-                                        {-179.95, true},
-                                        {179.999, true},
-                                        {-179.89, false},
-                                        {179.89, false},
-                                        {0.0, false}}) {
+                                         {-179.95, true},
+                                         {179.999, true},
+                                         {-179.89, false},
+                                         {179.89, false},
+                                         {0.0, false}}) {
       const SeaPlanePoint point = geodesy.seaPlaneFromGeodetic(-17.0, longitude);
       if (!point.inRange) continue;
       EXPECT_EQ(outline.contains(point.position), wet) << longitude;

@@ -72,8 +72,9 @@ void writeGeoTiff(const fs::path& file, glm::ivec2 size, const TiffPlace& place,
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 4);
   if (place.noData) {
-    static const TIFFFieldInfo info{TIFFTAG_GDAL_NODATA, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0,
-                                    const_cast<char*>("GDALNoDataValue")};
+    static const TIFFFieldInfo info{
+        TIFFTAG_GDAL_NODATA, -1, -1, TIFF_ASCII,
+        FIELD_CUSTOM,        1,  0,  const_cast<char*>("GDALNoDataValue")};
     TIFFMergeFieldInfo(tiff, &info, 1);
     TIFFSetField(tiff, TIFFTAG_GDAL_NODATA, place.noData);
   }
@@ -112,10 +113,10 @@ TEST(TerrainFile, PngsOfEightAndSixteenBitsGiveTheHeightsAtBlackAndWhite) {
   const TempFolder folder;
   for (const int bits : {8, 16}) {
     // Rises eastwards and falls southwards.
-    writePng(folder / "map.png", {64, 32},
-             [](int x, int y) { return (x + 31 - y) / 94.0; }, bits);
-    const TerrainMap map = loadTerrain(aroundAnchor({6400.0, 3200.0}, {-10.0, 84.0}),
-                                       folder / "map.png", anchor, 0.0);
+    writePng(
+        folder / "map.png", {64, 32}, [](int x, int y) { return (x + 31 - y) / 94.0; }, bits);
+    const TerrainMap map =
+        loadTerrain(aroundAnchor({6400.0, 3200.0}, {-10.0, 84.0}), folder / "map.png", anchor, 0.0);
     // Pixel x, y lies at (100 x − 3150, 1550 − 100 y).
     const double step = 94.0 / ((1 << bits) - 1);  // of a grey level, m
     for (const glm::dvec2 pixel : {glm::dvec2(0.0), {63.0, 31.0}, {20.0, 5.0}, {31.5, 15.5}}) {
@@ -151,11 +152,11 @@ TEST(TerrainFile, GeoTiffsInDegreesAndInUtmGiveTheSameHeights) {
     return 400.0 * (latitude - 28.878) - 300.0 * (longitude + 78.467);
   };
   const double degree = 0.001;
-  writeGeoTiff(folder / "degrees.tif", {80, 80},
-               {4326, {-78.507, 28.918}, glm::dvec2(degree), nullptr}, [&](int x, int y) {
-                 return static_cast<float>(
-                     slope(28.918 - (y + 0.5) * degree, -78.507 + (x + 0.5) * degree));
-               });
+  writeGeoTiff(
+      folder / "degrees.tif", {80, 80}, {4326, {-78.507, 28.918}, glm::dvec2(degree), nullptr},
+      [&](int x, int y) {
+        return static_cast<float>(slope(28.918 - (y + 0.5) * degree, -78.507 + (x + 0.5) * degree));
+      });
   const TerrainMap map = loadTerrain({}, folder / "degrees.tif", anchor, 3.0);
   for (const glm::dvec2 off : {glm::dvec2(0.0, 0.0), {0.02, -0.03}, {-0.03, 0.01}}) {
     const glm::dvec2 at = anchor.seaPlaneFromGeodetic(28.878 + off.x, -78.467 + off.y).position;
@@ -167,18 +168,17 @@ TEST(TerrainFile, GeoTiffsInDegreesAndInUtmGiveTheSameHeights) {
   writeGeoTiff(folder / "utm.tif", {100, 100}, {32617, {742000.0, 3202000.0}, glm::dvec2(100.0)},
                [](int x, int) { return static_cast<float>(x); });
   const TerrainMap utm = loadTerrain({}, folder / "utm.tif", anchor, 0.0);
-  const double slopeAcross =
-      (utm.heightAt({500.0, 0.0}) - utm.heightAt({-500.0, 0.0})) / 1000.0;
+  const double slopeAcross = (utm.heightAt({500.0, 0.0}) - utm.heightAt({-500.0, 0.0})) / 1000.0;
   EXPECT_NEAR(slopeAcross, 0.01, 1e-4);  // a metre a pixel of 100 m, scale and turn aside
   EXPECT_NEAR(utm.heightAt({0.0, 0.0}), 50.0, 2.0);
 }
 
 TEST(TerrainFile, NoDataIsFilledBelowTheWaterOrAsTheSceneSays) {
   const TempFolder folder;
-  writeGeoTiff(folder / "map.tif", {32, 32},
-               {4326, {-78.483, 28.894}, glm::dvec2(0.001), "-9999"}, [](int x, int y) {
-                 return x < 16 ? -9999.0f : y < 16 ? NAN : 7.0f;
-               });
+  writeGeoTiff(folder / "map.tif", {32, 32}, {4326, {-78.483, 28.894}, glm::dvec2(0.001), "-9999"},
+               [](int x, int y) { return x < 16   ? -9999.0f
+                                         : y < 16 ? NAN
+                                                  : 7.0f; });
   const auto at = [](const TerrainMap& map, double north, double east) {
     return map.heightAt(anchor.seaPlaneFromGeodetic(28.878 + north, -78.467 + east).position);
   };
@@ -202,7 +202,8 @@ std::string faultOf(const TempFolder& folder, const std::string& keys) {
 TEST(TerrainFile, FaultsNameFileLineKeyAndWhatIsAllowed) {
   const TempFolder folder;
   writePng(folder / "map.png", {8, 8}, [](int, int) { return 0.5; });
-  writePng(folder / "colour.png", {8, 8}, [](int, int) { return 0.5; }, 8, PNG_COLOR_TYPE_RGB);
+  writePng(
+      folder / "colour.png", {8, 8}, [](int, int) { return 0.5; }, 8, PNG_COLOR_TYPE_RGB);
   folder.write("text.tif", "not a picture");
   writeGeoTiff(folder / "map.tif", {8, 8}, {4326, {-78.471, 28.882}, glm::dvec2(0.001)},
                [](int, int) { return 1.0f; });
@@ -224,10 +225,14 @@ TEST(TerrainFile, FaultsNameFileLineKeyAndWhatIsAllowed) {
   expect("file: map.png, " + centre + "height_m: [0, 1]", "a PNG about a centre needs its size");
   expect("file: map.png, " + centre + "size_m: [9, 9]", "a PNG needs height_m");
   expect("file: map.tif, height_m: [0, 1]", "key 'terrain.height_m': is for a PNG only");
-  expect("file: map.png, height_m: [0, 1], extent: {west_deg: -78, east_deg: -79, south_deg: 28, "
-         "north_deg: 29}", "key 'terrain.extent': is inverted");
-  expect("file: map.png, height_m: [0, 1], extent: {west_deg: -79, east_deg: -78, south_deg: 29, "
-         "north_deg: 28}", "key 'terrain.extent': is upside down");
+  expect(
+      "file: map.png, height_m: [0, 1], extent: {west_deg: -78, east_deg: -79, south_deg: 28, "
+      "north_deg: 29}",
+      "key 'terrain.extent': is inverted");
+  expect(
+      "file: map.png, height_m: [0, 1], extent: {west_deg: -79, east_deg: -78, south_deg: 29, "
+      "north_deg: 28}",
+      "key 'terrain.extent': is upside down");
   expect("file: colour.png, " + centre + "size_m: [900, 900], height_m: [0, 1]",
          "colour.png: is not a plain grey PNG");
   expect("file: text.tif", "text.tif: is neither a PNG nor a readable GeoTIFF");
@@ -257,15 +262,17 @@ TEST(TerrainFileHard, CutOffAndEmptyFilesAreRefused) {
   const std::string whole = test::readFile(folder / "map.png");
   for (const std::size_t length : {std::size_t{8}, std::size_t{30}, whole.size() / 2}) {
     const fs::path part = folder.write("part.png", whole.substr(0, length));
-    const std::string fault =
-        inputErrorOf([&] { loadTerrain(aroundAnchor({9.0, 9.0}, {0.0, 1.0}), part, anchor, 0.0); });
+    const std::string fault = inputErrorOf([&] {
+      loadTerrain(aroundAnchor({9.0, 9.0}, {0.0, 1.0}), part, anchor, 0.0);
+    });
     EXPECT_NE(fault.find("is not a readable PNG"), std::string::npos) << length << fault;
   }
   const fs::path empty = folder.write("empty.tif", "");
   EXPECT_NE(inputErrorOf([&] { loadTerrain({}, empty, anchor, 0.0); }), "");
 }
 
-/// The test scene about a beach that rises eastwards by 1 m in 10, its shore 40 m east of the anchor.
+/// The test scene about a beach that rises eastwards by 1 m in 10, its shore 40 m east of the
+/// anchor.
 Scene beachScene(const TempFolder& folder,
                  std::vector<std::pair<std::string, std::string>> replacements = {}) {
   writePng(folder / "map.png", {65, 65}, [](int x, int) { return x / 64.0; });
@@ -279,8 +286,8 @@ Scene beachScene(const TempFolder& folder,
 
 TEST(TerrainInScenes, VesselsRunAgroundWithAMessage) {
   const TempFolder folder;
-  const Scene scene = beachScene(folder, {{"heading_deg: 30", "heading_deg: 90"},
-                                          {"turn_deg_s: 1", "turn_deg_s: 0"}});
+  const Scene scene = beachScene(
+      folder, {{"heading_deg: 30", "heading_deg: 90"}, {"turn_deg_s: 1", "turn_deg_s: 0"}});
   const Sea sea = buildSea(scene);
   Simulation simulation(scene, sea, nullptr);
   const std::string fault = inputErrorOf([&] {
@@ -288,14 +295,14 @@ TEST(TerrainInScenes, VesselsRunAgroundWithAMessage) {
   });
   EXPECT_NE(fault.find("vessel 'launch' is aground at "), std::string::npos) << fault;
   EXPECT_NE(fault.find("the terrain under it stands "), std::string::npos) << fault;
-  EXPECT_GT(simulation.time(), 1.0);   // the bow is 6 m ahead, the shore 40
+  EXPECT_GT(simulation.time(), 1.0);  // the bow is 6 m ahead, the shore 40
   EXPECT_LT(simulation.time(), 40.0 / 6.0);
 }
 
 TEST(TerrainInScenesHard, AVesselThatStartsAgroundSaysSo) {
   const TempFolder folder;
-  const Scene scene = beachScene(folder, {{"longitude_deg: -78.467, heading_deg",
-                                           "longitude_deg: -78.4660, heading_deg"}});
+  const Scene scene = beachScene(
+      folder, {{"longitude_deg: -78.467, heading_deg", "longitude_deg: -78.4660, heading_deg"}});
   const Sea sea = buildSea(scene);
   const std::string fault = inputErrorOf([&] { Simulation simulation(scene, sea, nullptr); });
   EXPECT_NE(fault.find("vessel 'launch' is aground at 0"), std::string::npos) << fault;

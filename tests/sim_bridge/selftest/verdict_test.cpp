@@ -39,6 +39,18 @@ TEST(ChildRunHard, EndsWhatDoesNotEnd) {
   EXPECT_EQ(outcome.signal, SIGKILL);
 }
 
+TEST(ChildRunHard, HasNoMoreMemoryThanItMay) {
+  // The pause lets the limit be set, which it is once the program runs.
+  const char* script = "sleep 0.1; exec dd if=/dev/zero of=/dev/null bs=256M count=1";
+  const ChildOutcome free = shell(script);
+  EXPECT_EQ(free.status, 0) << free.err;
+  EXPECT_GE(free.peakBytes, std::size_t{256} << 20);
+  const ChildOutcome held = shell(script, {.memoryBytes = std::size_t{128} << 20});
+  EXPECT_EQ(held.status, 1);
+  EXPECT_LT(held.peakBytes, std::size_t{128} << 20);
+  EXPECT_NE(faultOf(held, {}, "/nowhere"), "");
+}
+
 TEST(ChildRunHard, SaysThatAProgramIsNotThere) {
   EXPECT_ANY_THROW(runProgram("/no/such/program", {}));
 }

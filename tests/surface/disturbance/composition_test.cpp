@@ -133,7 +133,8 @@ TEST(Composition, SplashesAndSmoothedWaterAreInSamplesAndInMotionBelow) {
   EXPECT_NEAR(glm::length(motion[0].velocity - both.orbitalVelocity), 0.0, 1e-5);
   std::vector<WaterKinematics> without(2);
   sampleKinematics(now.waves(), column, without);
-  // The surface above is some centimetres higher, and the waves' motion with it: k Δη e⁻⁶ of 0.3 m/s.
+  // The surface above is some centimetres higher, and the waves' motion with it: k Δη e⁻⁶ of 0.3
+  // m/s.
   EXPECT_NEAR(glm::length(motion[1].velocity - without[1].velocity), 0.0, 1e-5);
 }
 

@@ -72,8 +72,13 @@ TEST(TerrainMap, BeyondTheMapThereIsNoGround) {
   const TerrainMap map(hills());
   EXPECT_TRUE(std::isfinite(map.heightAt(map.least())));
   EXPECT_TRUE(std::isfinite(map.heightAt(map.most())));
-  for (const glm::dvec2 place : {glm::dvec2(-20.001, 6.0), {12.001, 6.0}, {0.0, 4.999},
-                                 {0.0, 23.001}, {1e300, 6.0}, {NAN, 6.0}, {0.0, -infinity}}) {
+  for (const glm::dvec2 place : {glm::dvec2(-20.001, 6.0),
+                                 {12.001, 6.0},
+                                 {0.0, 4.999},
+                                 {0.0, 23.001},
+                                 {1e300, 6.0},
+                                 {NAN, 6.0},
+                                 {0.0, -infinity}}) {
     EXPECT_EQ(map.heightAt(place), -infinity);
   }
 }
@@ -196,7 +201,9 @@ TEST(TerrainMapHard, BrokenGridsAreRefused) {
   EXPECT_NE(refused([](auto& g) { g.spacing.x = 0.0; }), "");
   EXPECT_NE(refused([](auto& g) { g.origin.y = NAN; }), "");
   EXPECT_NE(refused([](auto& g) { g.count = {1, 63}; }), "");
-  EXPECT_EQ(refused([](auto& g) { g.count = {8192, 8192}; }),
+  EXPECT_EQ(refused([](auto& g) {
+              g.count = {8192, 8192};
+            }),
             "terrain: 8192 x 8192 heights are not allowed; 18948609 at the most");
 }
 
