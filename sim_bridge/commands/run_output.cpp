@@ -1,7 +1,6 @@
 #include "sim_bridge/commands/run_output.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <charconv>
@@ -14,6 +13,7 @@
 #include "sim_bridge/commands/blocked_octaves_json.h"
 #include "sim_bridge/commands/performance_json.h"
 #include "sim_bridge/output/atomic_file.h"
+#include "sim_bridge/output/process_memory.h"
 #include "sim_bridge/output/telemetry.h"
 
 namespace seaway::bridge {
@@ -116,12 +116,6 @@ nlohmann::ordered_json filesOf(const Scene& scene, long long frames,
   return files;
 }
 
-std::size_t peakMemory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
-
 }  // namespace
 
 void StepTimes::add(double microseconds) {
@@ -206,7 +200,7 @@ std::string RunSummary::json(const Scene& scene) const {
   summary["step_us"] = {{"p50", stepTimes.percentile(0.5)},
                         {"p99", stepTimes.percentile(0.99)},
                         {"most", stepTimes.percentile(1.0)}};
-  summary["peak_memory_bytes"] = peakMemory();
+  summary["peak_memory_bytes"] = processMemory({"VmHWM"});
   if (scene.tuned.any()) {
     summary["tuned"] = {{"foreseen", performanceJson(scene.tuned)},
                         {"achieved", performanceJson(achieved)}};

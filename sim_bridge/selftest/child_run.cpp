@@ -72,9 +72,8 @@ ChildOutcome runProgram(const std::filesystem::path& program,
   if (limits.memoryBytes > 0) prlimit(child, RLIMIT_AS, &memory, nullptr);
   ChildOutcome outcome;
   int status = 0;
-  rusage usage{};
   bool isAskedToEnd = !limits.isEnough;
-  for (auto pause = std::chrono::microseconds(500); wait4(child, &status, WNOHANG, &usage) == 0;) {
+  for (auto pause = std::chrono::microseconds(500); waitpid(child, &status, WNOHANG) == 0;) {
     if (!isAskedToEnd && limits.isEnough(err.text())) {
       isAskedToEnd = true;
       kill(child, SIGTERM);
@@ -89,7 +88,6 @@ ChildOutcome runProgram(const std::filesystem::path& program,
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
-  outcome.peakBytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   outcome.out = out.text();
   outcome.err = err.text();
   return outcome;

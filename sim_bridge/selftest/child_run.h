@@ -10,12 +10,11 @@ namespace seaway::bridge {
 
 /// What a process that was run did.
 struct ChildOutcome {
-  int status = -1;            ///< exit status; -1 where a signal ended it
-  int signal = 0;             ///< that ended it; 0: none
-  bool timedOut = false;      ///< it was killed when its time was up
-  double seconds = 0.0;       ///< wall time
-  std::size_t peakBytes = 0;  ///< most memory it held
-  std::string out, err;       ///< what it wrote, at most 16 MiB each
+  int status = -1;        ///< exit status; -1 where a signal ended it
+  int signal = 0;         ///< that ended it; 0: none
+  bool timedOut = false;  ///< it was killed when its time was up
+  double seconds = 0.0;   ///< wall time
+  std::string out, err;   ///< what it wrote, at most 16 MiB each
 };
 
 /// What a process may use.

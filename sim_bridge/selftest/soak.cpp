@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string_view>
 
 #include "render/technique_choice.h"
 #include "sim_bridge/output/checkpoint.h"
+#include "sim_bridge/output/process_memory.h"
 #include "sim_bridge/output/progress.h"
 #include "sim_bridge/output/stopwatch.h"
 #include "sim_bridge/output/telemetry.h"
@@ -25,15 +23,7 @@ namespace {
 /// it likes, do not count, and what it has swapped out does.
 std::size_t residentBytes() {
   malloc_trim(0);
-  std::ifstream file("/proc/self/status");
-  std::size_t kilobytes = 0;
-  for (std::string line; std::getline(file, line);) {
-    for (const std::string_view key : {"RssAnon:", "VmSwap:"}) {
-      if (line.starts_with(key)) kilobytes += std::stoul(line.substr(key.size()));
-    }
-  }
-  if (kilobytes == 0) throw std::runtime_error("/proc/self/status tells no RssAnon");
-  return kilobytes * 1024;
+  return processMemory({"RssAnon", "VmSwap"});
 }
 
 std::size_t heapBytes() {

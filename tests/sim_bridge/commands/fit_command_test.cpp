@@ -35,6 +35,20 @@ std::string ndbcFile() {
   return text;
 }
 
+/// One record in Spotter's format: Pierson–Moskowitz, from 255 degrees, spread by 25 degrees.
+std::string spotterFile() {
+  const FrequencySpectrum energy = piersonMoskowitz(2.0, 8.0);
+  nlohmann::json record{{"timestamp", "2020-06-08T02:50:00.000Z"}};
+  for (int i = 0; i < 40; ++i) {
+    const double frequency = 0.04 + 0.01 * i;
+    record["frequency"].push_back(frequency);
+    record["varianceDensity"].push_back(energy.at(frequency));
+    record["direction"].push_back(255.0);
+    record["directionalSpread"].push_back(25.0);
+  }
+  return nlohmann::json{{"frequencyData", {record}}}.dump();
+}
+
 nlohmann::json fitted(const TempFolder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "fit");
   arguments.insert(arguments.end(), {"--out", (folder / "sea.yaml").string(), "--json"});
@@ -128,6 +142,36 @@ TEST(FitCommand, ReportsAndVerifiesAGroupFit) {
   }
   EXPECT_NO_THROW(loadSeaState(folder / "report/sea.yaml"));
   EXPECT_EQ(folder.files().size(), 2u);
+}
+
+TEST(FitCommand, ABuoyReadsTheDirectionsOfAMeasuredSea) {
+  const TempFolder folder;
+  const std::string file = folder.write("spotter.json", spotterFile()).string();
+  std::vector<std::string> words{
+      "fit",     file, "--model",      "group",    "--verify",
+      "--hours", "1",  "--parameters", "--report", (folder / "report").string()};
+  const auto told = seaway(words);
+  ASSERT_EQ(told.status, 0) << told.err;
+  for (const char* word : {"a buoy in the fitted field, 1 h", "direction at the peak, from deg",
+                           "parameters by the gamma likelihood", "AIC"}) {
+    EXPECT_NE(told.out.find(word), std::string::npos) << word << told.out;
+  }
+  const std::string page = test::readFile(folder / "report/report.html");
+  EXPECT_NE(page.find("Mean direction"), std::string::npos);
+  words.push_back("--json");
+  const auto fit = nlohmann::json::parse(seaway(words).out);
+  const auto& quantities = fit["verification"]["quantities"];
+  ASSERT_EQ(quantities.size(), 4u);  // height, period, direction, spread
+  EXPECT_NEAR(quantities[2]["asked"].get<double>(), 255.0, 1e-6);
+  EXPECT_NEAR(quantities[3]["asked"].get<double>(), 25.0, 1e-6);
+  for (const auto& each : quantities) {
+    // Four standard errors: one in 16 000 is farther off, and the seed is fixed.
+    EXPECT_NEAR(each["read"].get<double>(), each["asked"].get<double>(),
+                4.0 * each["standard_error"].get<double>())
+        << each;
+  }
+  const auto& system = fit["parameters"]["systems"][0];
+  EXPECT_NEAR(system["from_deg"].get<double>(), 255.0, 1.0) << system;
 }
 
 TEST(FitCommand, NeedsSomewhereToWriteAndSoundOptions) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include "render/png.h"
+#include "sim_bridge/selftest/child_run.h"
 #include "tests/sim_bridge/test_support.h"
 
 namespace seaway::bridge {
@@ -42,6 +44,20 @@ TEST(RunCommand, WritesTelemetryFramesAndSummary) {
   EXPECT_EQ(summary["frames"], 2);
   EXPECT_GT(summary["real_time_factor"].get<double>(), 0.0);
   EXPECT_TRUE(summary["timings_ms"]["draw"].is_number());
+}
+
+// A process inherits the most that getrusage says its parent held.
+TEST(RunCommandHard, PeakMemoryIsTheRunsOwnWhateverItsHostHolds) {
+  constexpr std::size_t held = std::size_t{1} << 30;
+  const std::vector<char> host(held, 1);
+  const TempFolder folder;
+  const ChildOutcome outcome =
+      runProgram(SEAWAY_COMMAND, {"run", writeScene(folder).string(), "--out",
+                                  (folder / "out").string(), "--fps", "0", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto peak = nlohmann::json::parse(outcome.out)["peak_memory_bytes"].get<std::size_t>();
+  EXPECT_GT(peak, std::size_t{1} << 20);
+  EXPECT_LT(peak, host.size());
 }
 
 TEST(RunCommand, TelemetryHasARowAStepWithTheAgreedColumns) {

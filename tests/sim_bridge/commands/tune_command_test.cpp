@@ -42,14 +42,30 @@ TEST(Tune, WritesASceneThatKeepsRemarksAndDoesWhatWasAsked) {
                                "0.05", "--frame-ms", "10000", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Scene read = loadScene(tuned);
-  EXPECT_GT(read.accuracy.motionTolerance, 0.0);
   EXPECT_LE(read.accuracy.motionTolerance, 0.05);
   EXPECT_EQ(read.accuracy.grid.y, 1024);
   ASSERT_TRUE(read.tuned.height && read.tuned.query && read.tuned.frame && read.tuned.position);
   EXPECT_LE(*read.tuned.height, 0.05);
   EXPECT_FALSE(read.tuned.step);
   EXPECT_EQ(test::readFile(tuned).rfind("# a remark", 0), 0u);
-  EXPECT_TRUE(nlohmann::json::parse(outcome.out)["settings"].contains("grid"));
+  const auto told = nlohmann::json::parse(outcome.out)["settings"];
+  EXPECT_TRUE(told.contains("grid"));
+  EXPECT_EQ(told["motion_tolerance_m"], read.accuracy.motionTolerance);
+}
+
+TEST(Tune, TakesTheFinestWakesThatABudgetAllows) {
+  const TempFolder folder;
+  const auto scene = test::writeScene(folder);
+  const auto tuned = folder / "tuned.yaml";
+  const auto outcome =
+      seaway({"tune", scene.string(), "--out", tuned.string(), "--step-us", "1e9"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Scene read = loadScene(tuned);
+  ASSERT_TRUE(read.tuned.step);
+  EXPECT_GT(*read.tuned.step, 0.0);
+  EXPECT_GT(read.accuracy.wakes.cell, 0.0);
+  EXPECT_FALSE(read.tuned.height || read.tuned.frame);
+  EXPECT_NE(outcome.out.find("accuracy.wakes.cell_m"), std::string::npos) << outcome.out;
 }
 
 /// `achieved` of a run of a scene for which a frame was foreseen.

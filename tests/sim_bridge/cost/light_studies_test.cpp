@@ -4,7 +4,7 @@
 #include "sim_bridge/scene/scene_loader.h"
 #include "sim_bridge/scene/sea.h"
 
-// What shadows and the water seen from inside cost, and where there is nothing to study.
+// What shadows, the water seen from inside and ground cost, and where there is nothing to study.
 namespace seaway::bridge {
 namespace {
 
@@ -43,9 +43,24 @@ TEST(LightStudies, MoreSamplesComeNearerToManyUnderWater) {
   expectFalling(of(studyUnderWater, "under_water.yaml"), "light_under_water");
 }
 
+TEST(LightStudies, FinerGroundLiesNearerToItsMap) {
+  const std::vector<Study> studies = of(studyTerrain, "island.yaml");
+  ASSERT_EQ(studies.size(), 1u);
+  EXPECT_EQ(studies[0].name, "image_terrain");
+  double previous = 0.0;
+  for (const CostPoint& point : studies[0].points) {
+    EXPECT_GT(point.cost, 0.0) << point.setting;
+    // Coarser from one to the next; what neighbouring levels share may differ by chance.
+    EXPECT_GE(point.error, 0.9 * previous) << point.setting;
+    previous = point.error;
+  }
+  EXPECT_LT(studies[0].points.front().error, 0.5 * previous);
+}
+
 TEST(LightStudies, ThereAreNoneWhereTheSceneDoesNotCallForThem) {
   EXPECT_TRUE(of(studyShadows, "night.yaml").empty());
   EXPECT_TRUE(of(studyUnderWater, "canaveral.yaml").empty());
+  EXPECT_TRUE(of(studyTerrain, "canaveral.yaml").empty());
 }
 
 }  // namespace

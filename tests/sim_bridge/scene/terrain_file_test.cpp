@@ -8,8 +8,10 @@
 #include <xtiffio.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <functional>
+#include <type_traits>
 
 #include "sim_bridge/scene/height_picture.h"
 #include "sim_bridge/scene/scene_loader.h"
@@ -58,19 +60,30 @@ struct TiffPlace {
   int code = 4326;  ///< EPSG
   glm::dvec2 corner{0.0}, perPixel{1.0};
   const char* noData = nullptr;
+  int tile = 0;  ///< pixels a side; 0: strips of rows
+  int bands = 1;
 };
 
-/// A GeoTIFF of floats, its upper left corner at `corner`.
+/// A GeoTIFF, its upper left corner at `corner`.
+template <class Number = float>
 void writeGeoTiff(const fs::path& file, glm::ivec2 size, const TiffPlace& place,
-                  const std::function<float(int, int)>& value) {
+                  const std::function<std::type_identity_t<Number>(int, int)>& value) {
   TIFF* tiff = XTIFFOpen(file.c_str(), "w");
   TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, size.x);
   TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, size.y);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
-  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, place.bands);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, int{8 * sizeof(Number)});
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT,
+               std::is_floating_point_v<Number> ? SAMPLEFORMAT_IEEEFP
+               : std::is_signed_v<Number>       ? SAMPLEFORMAT_INT
+                                                : SAMPLEFORMAT_UINT);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-  TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 4);
+  if (place.tile > 0) {
+    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, place.tile);
+    TIFFSetField(tiff, TIFFTAG_TILELENGTH, place.tile);
+  } else {
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 4);
+  }
   if (place.noData) {
     static const TIFFFieldInfo info{
         TIFFTAG_GDAL_NODATA, -1, -1, TIFF_ASCII,
@@ -91,10 +104,23 @@ void writeGeoTiff(const fs::path& file, glm::ivec2 size, const TiffPlace& place,
              place.code);
   GTIFWriteKeys(keys);
   GTIFFree(keys);
-  std::vector<float> row(size.x);
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) row[x] = value(x, y);
-    TIFFWriteScanline(tiff, row.data(), y, 0);
+  if (place.tile > 0) {
+    std::vector<Number> tile(static_cast<std::size_t>(place.tile) * place.tile);
+    for (int top = 0; top < size.y; top += place.tile) {
+      for (int left = 0; left < size.x; left += place.tile) {
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+          tile[i] = value(left + static_cast<int>(i) % place.tile,
+                          top + static_cast<int>(i) / place.tile);
+        }
+        TIFFWriteTile(tiff, tile.data(), left, top, 0, 0);
+      }
+    }
+  } else {
+    std::vector<Number> row(static_cast<std::size_t>(size.x) * place.bands);
+    for (int y = 0; y < size.y; ++y) {
+      for (int x = 0; x < size.x; ++x) row[x] = value(x, y);
+      TIFFWriteScanline(tiff, row.data(), y, 0);
+    }
   }
   XTIFFClose(tiff);
 }
@@ -171,6 +197,50 @@ TEST(TerrainFile, GeoTiffsInDegreesAndInUtmGiveTheSameHeights) {
   const double slopeAcross = (utm.heightAt({500.0, 0.0}) - utm.heightAt({-500.0, 0.0})) / 1000.0;
   EXPECT_NEAR(slopeAcross, 0.01, 1e-4);  // a metre a pixel of 100 m, scale and turn aside
   EXPECT_NEAR(utm.heightAt({0.0, 0.0}), 50.0, 2.0);
+}
+
+/// The same map stored as other numbers gives the same heights, to the bit.
+template <class Number>
+void expectSameHeights(const TempFolder& folder, const TerrainMap& map, const TiffPlace& place) {
+  writeGeoTiff<Number>(folder / "other.tif", {80, 72}, place,
+                       [](int x, int y) { return static_cast<Number>((7 * x + 3 * y) % 101); });
+  const TerrainMap other = loadTerrain({}, folder / "other.tif", anchor, 0.0);
+  for (int i = 0; i < 400; ++i) {
+    const glm::dvec2 at(-3500.0 + 350.0 * (i % 20), -3200.0 + 320.0 * (i / 20));
+    ASSERT_EQ(other.heightAt(at), map.heightAt(at)) << at.x << ' ' << at.y;
+  }
+}
+
+TEST(TerrainFile, TilesAndEveryKindOfNumberGiveTheSameHeights) {
+  const TempFolder folder;
+  TiffPlace place{4326, {-78.507, 28.914}, glm::dvec2(0.001), nullptr};
+  writeGeoTiff(folder / "rows.tif", {80, 72}, place,
+               [](int x, int y) { return static_cast<float>((7 * x + 3 * y) % 101); });
+  const TerrainMap map = loadTerrain({}, folder / "rows.tif", anchor, 0.0);
+  EXPECT_GT(map.heightAt({0.0, 0.0}), 0.0);
+  place.tile = 32;  // those at two borders are cut off
+  expectSameHeights<float>(folder, map, place);
+  expectSameHeights<double>(folder, map, place);
+  expectSameHeights<std::int8_t>(folder, map, place);
+  expectSameHeights<std::int16_t>(folder, map, place);
+  expectSameHeights<std::int32_t>(folder, map, place);
+  place.tile = 0;
+  expectSameHeights<std::uint8_t>(folder, map, place);
+  expectSameHeights<std::uint16_t>(folder, map, place);
+  expectSameHeights<std::uint32_t>(folder, map, place);
+}
+
+TEST(TerrainFileHard, TwoBandsAndNumbersOfAnotherKindAreRefused) {
+  const TempFolder folder;
+  TiffPlace place{4326, {-78.507, 28.914}, glm::dvec2(0.001), nullptr};
+  const auto fault = [&] {
+    return inputErrorOf([&] { loadTerrain({}, folder / "map.tif", anchor, 0.0); });
+  };
+  writeGeoTiff<std::int64_t>(folder / "map.tif", {8, 8}, place, [](int, int) { return 1; });
+  EXPECT_NE(fault().find("samples of 64 bits"), std::string::npos) << fault();
+  place.bands = 2;
+  writeGeoTiff(folder / "map.tif", {8, 8}, place, [](int, int) { return 1.0f; });
+  EXPECT_NE(fault().find("has 2 bands; must have one"), std::string::npos) << fault();
 }
 
 TEST(TerrainFile, NoDataIsFilledBelowTheWaterOrAsTheSceneSays) {

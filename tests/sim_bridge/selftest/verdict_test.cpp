@@ -27,7 +27,6 @@ TEST(ChildRun, TellsStatusAndBothOutputs) {
   EXPECT_EQ(outcome.signal, 0);
   EXPECT_EQ(outcome.out, "out\n");
   EXPECT_EQ(outcome.err, "err\n");
-  EXPECT_GT(outcome.peakBytes, 0u);
 }
 
 TEST(ChildRunHard, TellsTheSignalThatEndedIt) { EXPECT_EQ(shell("kill -SEGV $$").signal, SIGSEGV); }
@@ -44,10 +43,8 @@ TEST(ChildRunHard, HasNoMoreMemoryThanItMay) {
   const char* script = "sleep 0.1; exec dd if=/dev/zero of=/dev/null bs=256M count=1";
   const ChildOutcome free = shell(script);
   EXPECT_EQ(free.status, 0) << free.err;
-  EXPECT_GE(free.peakBytes, std::size_t{256} << 20);
   const ChildOutcome held = shell(script, {.memoryBytes = std::size_t{128} << 20});
   EXPECT_EQ(held.status, 1);
-  EXPECT_LT(held.peakBytes, std::size_t{128} << 20);
   EXPECT_NE(faultOf(held, {}, "/nowhere"), "");
 }
 
