@@ -54,10 +54,16 @@ Figures measure(SteadyWake& wake, const WakeOptions& options) {
   figures.wavelength = std::isnan(figures.wavelengthTheory)
                            ? figures.wavelengthTheory
                            : transverseWavelength(wake, 3.0 * deepLength, 20.0 * deepLength);
-  const auto ridge = ridgeOf(wake, 6.0 * deepLength, 22.0 * deepLength, 0.9);
+  // Wider than the wedge that holds the wake, and as far astern as the window has all of that.
+  const double wedge = wedgeAngle(options.speed, options.depth), widest = 1.3 * std::tan(wedge);
+  const double last = std::min(22.0 * deepLength, 0.4 * wake.size() / widest);
+  const double first = std::min(6.0 * deepLength, 0.4 * last);
+  const auto ridge = ridgeOf(wake, first, last, widest);
   figures.angle_deg = degreesFromRadians(std::atan(ridge.back().aside / ridge.back().astern));
-  figures.extrapolated_deg = degreesFromRadians(ridgeAngleAtInfinity(ridge));
-  figures.theory_deg = degreesFromRadians(wedgeAngle(options.speed, options.depth));
+  figures.extrapolated_deg =
+      degreesFromRadians(figures.depthFroude > 1.0 ? frontAngle(wake, first, last, widest)
+                                                   : ridgeAngleAtInfinity(ridge));
+  figures.theory_deg = degreesFromRadians(wedge);
   figures.resistance = wake.resistance();
   figures.stepMs = medianStepMs(wake);
   return figures;
@@ -108,15 +114,21 @@ nlohmann::ordered_json asJson(const Figures& f, const WakeOptions& options) {
           {"step_ms", f.stepMs}};
 }
 
+/// What does not exist, such as transverse waves beyond the critical speed, is told as "none".
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2f}", value) : "none";
+}
+
 void writeText(const Figures& f, const WakeOptions& options, std::ostream& out) {
   out << fmt::format("Wigley hull of {} m at {} m/s: Froude number {:.2f}\n",
                      numberText(options.length), numberText(options.speed), f.froude);
   out << fmt::format("                          {:>9} {:>9}\n", "measured", "theory");
-  out << fmt::format("transverse wavelength  m  {:>9.2f} {:>9.2f}\n", f.wavelength,
-                     f.wavelengthTheory);
+  out << fmt::format("transverse wavelength  m  {:>9} {:>9}\n", cell(f.wavelength),
+                     cell(f.wavelengthTheory));
   out << fmt::format("angle of the ridge   deg  {:>9.2f}\n", f.angle_deg);
-  out << fmt::format("  at infinity        deg  {:>9.2f} {:>9.2f}\n", f.extrapolated_deg,
-                     f.theory_deg);
+  out << fmt::format("{:<21}deg  {:>9.2f} {:>9.2f}\n",
+                     f.depthFroude > 1.0 ? "angle of the front" : "  at infinity",
+                     f.extrapolated_deg, f.theory_deg);
   out << fmt::format("wave resistance       kN  {:>9.2f}\n", 1e-3 * f.resistance);
   out << fmt::format("a step of {}x{} cells took {:.2f} ms\n", 2 * modes, 2 * modes, f.stepMs);
   out << "written: " << (std::filesystem::path(options.out) / "wake.png").string() << '\n';

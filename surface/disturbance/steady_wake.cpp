@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "surface/constants.h"
@@ -112,6 +113,21 @@ Line lineThrough(const std::vector<glm::dvec2>& points) {
   return {slope, (sumY - slope * sumX) / n};
 }
 
+constexpr int placesAstern = 60, placesAcross = 2000;
+
+double asideOf(std::ptrdiff_t place, double astern, double widest) {
+  return astern * widest * static_cast<double>(place + 1) / placesAcross;
+}
+
+/// The envelope at places across the track, from the innermost.
+std::vector<double> envelopeAcross(const SteadyWake& wake, double astern, double widest) {
+  std::vector<double> heights;
+  for (int j = 0; j < placesAcross; ++j) {
+    heights.push_back(wake.envelopeAt({astern, asideOf(j, astern, widest)}));
+  }
+  return heights;
+}
+
 }  // namespace
 
 double transverseWavelength(const SteadyWake& wake, double first, double last) {
@@ -142,18 +158,26 @@ double transverseWavelengthTheory(double speed, double depth) {
 
 std::vector<RidgePoint> ridgeOf(const SteadyWake& wake, double first, double last, double widest) {
   std::vector<RidgePoint> ridge;
-  for (int i = 0; i < 60; ++i) {
-    const double astern = first + (last - first) * i / 59.0;
-    RidgePoint best{astern, 0.0};
-    double highest = 0.0;
-    for (int j = 0; j < 2000; ++j) {
-      const double aside = astern * widest * (j + 1) / 2000.0;
-      const double height = wake.envelopeAt({astern, aside});
-      if (height > highest) highest = height, best.aside = aside;
-    }
-    ridge.push_back(best);
+  for (int i = 0; i < placesAstern; ++i) {
+    const double astern = first + (last - first) * i / (placesAstern - 1);
+    const std::vector<double> across = envelopeAcross(wake, astern, widest);
+    const auto highest = std::max_element(across.begin(), across.end());
+    ridge.push_back({astern, asideOf(highest - across.begin(), astern, widest)});
   }
   return ridge;
+}
+
+double frontAngle(const SteadyWake& wake, double first, double last, double widest) {
+  std::vector<glm::dvec2> front;
+  for (int i = 0; i < placesAstern; ++i) {
+    const double astern = first + (last - first) * i / (placesAstern - 1);
+    const std::vector<double> across = envelopeAcross(wake, astern, widest);
+    const double third = *std::max_element(across.begin(), across.end()) / 3.0;
+    const auto outermost =
+        std::find_if(across.rbegin(), across.rend(), [&](double height) { return height > third; });
+    front.emplace_back(astern, asideOf(across.rend() - outermost - 1, astern, widest));
+  }
+  return std::atan(lineThrough(front).slope);
 }
 
 double ridgeAngleAtInfinity(const std::vector<RidgePoint>& ridge) {

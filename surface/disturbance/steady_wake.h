@@ -66,6 +66,12 @@ std::vector<RidgePoint> ridgeOf(const SteadyWake& wake, double first, double las
 /// straight line is fitted over that.
 double ridgeAngleAtInfinity(const std::vector<RidgePoint>& ridge);
 
+/// The angle to the track, rad, of a wake's front beyond the critical speed, where there is no
+/// cusp: a line through the outermost places where the envelope reaches a third of what is highest
+/// across the track, at distances astern from `first` to `last`, up to `widest` times the distance
+/// aside.
+double frontAngle(const SteadyWake& wake, double first, double last, double widest);
+
 /// Half the angle of the wedge that holds a wake, rad, by tracing rays: waves that stand still on a
 /// ship, U cos θ = c(k), carry their energy along atan(c_g sin θ/(U − c_g cos θ)); the wedge is the
 /// widest of these. asin(1/3) in deep water, asin(√(gd)/U) beyond the critical speed √(gd).

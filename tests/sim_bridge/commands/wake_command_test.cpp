@@ -31,12 +31,20 @@ TEST(WakeCommand, SetsAWakeBesideTheoryAndDrawsIt) {
 
 TEST(WakeCommand, BeyondTheCriticalSpeedThereAreNoTransverseWaves) {
   const TempFolder folder;
-  const auto outcome = seaway({"wake", "--speed", "6", "--length", "12", "--depth", "2", "--out",
-                               (folder / "wake").string(), "--json"});
+  std::vector<std::string> words{"wake",     "--speed", "6",
+                                 "--length", "12",      "--depth",
+                                 "2",        "--out",   (folder / "wake").string()};
+  const auto told = seaway(words);
+  EXPECT_NE(told.out.find("transverse wavelength  m       none      none"), std::string::npos)
+      << told.out;
+  words.push_back("--json");
+  const auto outcome = seaway(words);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto wake = nlohmann::json::parse(outcome.out);
   EXPECT_TRUE(wake["transverse_wavelength_m"].is_null());
   EXPECT_TRUE(wake["transverse_wavelength_theory_m"].is_null());
+  EXPECT_NEAR(wake["cusp_angle_theory_deg"].get<double>(), 47.6, 0.1);  // asin(sqrt(gd)/U)
+  EXPECT_NEAR(wake["cusp_angle_extrapolated_deg"].get<double>(), 47.6, 1.0);
 }
 
 TEST(WakeCommandHard, RefusesWhatMakesNoWake) {

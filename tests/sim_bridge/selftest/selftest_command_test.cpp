@@ -39,6 +39,43 @@ TEST(SelftestHard, AFailingCaseIsMadeSmallAndKept) {
   EXPECT_NO_THROW(sceneFromText(kept, folder.path()));  // still a scene
 }
 
+TEST(SelftestCommand, ReadmeHasTheListThatItPrints) {
+  const auto outcome =
+      test::seaway({"selftest", "--list", "--configs", SEAWAY_SOURCE_DIR "/configs"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(test::readFile(SEAWAY_SOURCE_DIR "/README.md").find(outcome.out), std::string::npos)
+      << outcome.out;
+}
+
+TEST(SelftestCommand, TellsWhatIsNoRegularExpressionAndWhereNoCasesAre) {
+  const auto pattern = test::seaway({"selftest", "--only", "["});
+  EXPECT_EQ(pattern.status, 2);
+  EXPECT_NE(pattern.err.find("--only: '['"), std::string::npos) << pattern.err;
+  const test::TempFolder folder;
+  const auto none = test::seaway({"selftest", "--configs", folder.path().string()});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("hard_cases.yaml"), std::string::npos) << none.err;
+}
+
+// What fails is told by name, fault and property; areas are counted.
+TEST(SelftestCommand, TellsInWordsWhatFailed) {
+  const test::TempFolder folder;
+  writeCases(folder, R"(  - name: impossible
+    area: queries
+    property: water is dry
+    scene: scenes/scene.yaml
+    command: [query, SCENE, --time, 1, --at, "28.878,-78.467", --json]
+    expect: {status: works, says: "water is dry"}
+)");
+  const auto outcome =
+      test::seaway({"selftest", "--configs", folder.path().string(), "--count", "0"});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("FAILED impossible: it does not say 'water is dry' (water is dry)"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("1 cases in"), std::string::npos) << outcome.out;
+}
+
 TEST(SelftestHard, ACaseThatDoesNotEndIsEnded) {
   const test::TempFolder folder;
   writeCases(folder, R"(  - name: endless

@@ -15,15 +15,6 @@ using test::sail;
 using test::straight;
 using test::windowOf;
 
-/// Slope of the straight line through points.
-double slopeOf(const std::vector<glm::dvec2>& points) {
-  double n = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
-  for (const glm::dvec2 p : points) {
-    n += 1, sumX += p.x, sumY += p.y, sumXX += p.x * p.x, sumXY += p.x * p.y;
-  }
-  return (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
-}
-
 double degrees(double angle) { return angle * 180.0 / pi; }
 
 TEST(WakePhysics, TransverseWavesAreAsLongAsTheShipsSpeedSays) {
@@ -74,23 +65,7 @@ TEST(WakePhysics, BeyondTheCriticalSpeedTheWedgeIsMachs) {
     EXPECT_NEAR(degrees(wedgeAngle(speed, depth)), degrees(std::asin(1.0 / froude)), 0.01);
     const HullFootprint hull = HullFootprint::wigley(2.0 * wavelength, 3.0, 0.5);
     const SteadyWake wake(hull, speed, 40.0 * wavelength, depth, 256);
-    // The outermost place where the front reaches a third of its height runs parallel to the front.
-    std::vector<glm::dvec2> front;
-    for (int i = 0; i < 40; ++i) {
-      const double astern = wavelength * (4.0 + 6.0 * i / 39.0);
-      double highest = 0.0, edge = 0.0;
-      for (int j = 2000; j > 0; --j) {
-        const double aside = astern * 1.4 * j / 2000.0;
-        const double height = wake.envelopeAt({astern, aside});
-        if (height > highest) highest = height;
-      }
-      for (int j = 2000; j > 0 && edge == 0.0; --j) {
-        const double aside = astern * 1.4 * j / 2000.0;
-        if (wake.envelopeAt({astern, aside}) > highest / 3.0) edge = aside;
-      }
-      front.emplace_back(astern, edge);
-    }
-    const double angle = degrees(std::atan(slopeOf(front)));
+    const double angle = degrees(frontAngle(wake, 4.0 * wavelength, 10.0 * wavelength, 1.4));
     RecordProperty("angle_at_" + std::to_string(froude), std::to_string(angle));
     EXPECT_NEAR(angle, degrees(wedgeAngle(speed, depth)), 1.5) << froude;
   }
