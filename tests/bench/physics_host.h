@@ -15,7 +15,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace seaway::bench {
 
@@ -133,37 +135,57 @@ struct Ticks {
   }
 };
 
-/// A physics engine's loop: wakes each period and works. Seconds of `call`, which asks Seaway, take
-/// turns with seconds of `bare`, work of about the same length without it: what they do not share
-/// is Seaway's. `server` is the process that answers.
-template <class Call, class Bare>
-void runPhysicsHost(const PhysicsHostOptions& options, pid_t server, Call call, Bare bare) {
+/// What a tick may do, and the process that answers; 0: nobody else.
+struct HostWork {
+  const char* name;
+  std::function<void()> run;
+  pid_t server = 0;
+};
+
+/// A physics engine's loop: wakes each period and works. Seconds of each kind of work take turns:
+/// what they do not share is their own. Tells the memory of the first one's server.
+inline void runPhysicsHost(const PhysicsHostOptions& options, const std::vector<HostWork>& works) {
   mlockall(MCL_CURRENT);  // where permitted
-  if (options.fifo > 0 && scheduleFifo(getpid(), options.fifo)) scheduleFifo(server, options.fifo);
-  for (int i = 0; i < 1000; ++i) call(), bare();
+  std::vector<pid_t> processes{getpid()};
+  for (const HostWork& work : works) {
+    if (work.server != 0) processes.push_back(work.server);
+  }
+  if (options.fifo > 0) {
+    for (const pid_t process : processes) scheduleFifo(process, options.fifo);
+  }
+  std::vector<Ticks> all;
+  for (const HostWork& work : works) {
+    all.push_back({work.name});
+    for (int i = 0; i < 1000; ++i) work.run();
+  }
+  const pid_t server = works.front().server;
   const double serverMemory = residentMiB(server), ownMemory = residentMiB(getpid());
   double mostMemory = serverMemory;
-  Ticks asking{"asking Seaway"}, working{"asking nobody"};
-  std::uint64_t seen = preemptions(server) + preemptions(getpid());
+  const auto allPreemptions = [&] {
+    std::uint64_t sum = 0;
+    for (const pid_t process : processes) sum += preemptions(process);
+    return sum;
+  };
+  std::uint64_t seen = allPreemptions();
   const auto wasPreempted = [&] {
     const std::uint64_t before = seen;
-    seen = preemptions(server) + preemptions(getpid());
+    seen = allPreemptions();
     return seen != before;
   };
   const double start = monotonicSeconds();
   const auto perSecond = static_cast<std::uint64_t>(std::lround(1.0 / options.period));
-  const auto all = static_cast<std::uint64_t>(options.seconds / options.period);
-  for (std::uint64_t i = 1; i <= all; ++i) {
+  const auto count = static_cast<std::uint64_t>(options.seconds / options.period);
+  for (std::uint64_t i = 1; i <= count; ++i) {
     const double tick = start + static_cast<double>(i) * options.period;
-    const bool asks = i / perSecond % 2 == 0;
-    Ticks& ticks = asks ? asking : working;
+    const std::size_t kind = i / perSecond % works.size();
+    Ticks& ticks = all[kind];
     if (monotonicSeconds() > tick + options.period) {
       ++ticks.sleptThrough;
       continue;
     }
     sleepUntil(tick);
     const double woken = monotonicSeconds();
-    asks ? call() : bare();
+    works[kind].run();
     const double done = monotonicSeconds();
     ticks.woken.add(woken - tick);
     ticks.worked.add(done - woken);
@@ -182,8 +204,8 @@ void runPhysicsHost(const PhysicsHostOptions& options, pid_t server, Call call, 
   }
   std::printf("%-16s %-10s %9s %9s %9s %9s %9s\n", "us", "", "median", "p99", "p99.9", "p99.99",
               "longest");
-  for (const Ticks* each : {&asking, &working}) each->print();
-  for (const Ticks* each : {&asking, &working}) each->printMissed();
+  for (const Ticks& each : all) each.print();
+  for (const Ticks& each : all) each.printMissed();
   std::printf("resident MiB: server %.2f -> %.2f, at most %.2f; host %.2f -> %.2f\n", serverMemory,
               residentMiB(server), mostMemory, ownMemory, residentMiB(getpid()));
 }

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,14 @@
 #include "sim_bridge/shm/sea_host.h"
 #include "sim_bridge/shm/seaway_shm.hpp"
 #include "sim_bridge/shm/shm_endpoint.h"
+#include "tests/bench/evaluation_echo.h"
 #include "tests/bench/physics_host.h"
 
 // What shared memory adds to the evaluation of the water: a server in a process of its own, 1000
 // points, 12 octaves. `--table` runs the cases in turn, so that each has the machine as the others
 // have it, and prints medians, 99th percentiles and what is above the bare evaluation. `--host
-// SECONDS` is a physics engine that asks 1000 points every millisecond, beside one that asks
-// nobody.
+// SECONDS` is a physics engine that asks 1000 points every millisecond, beside one that asks a bare
+// process for the same, the floor, and one that asks nobody.
 namespace seaway::bridge::shm {
 namespace {
 
@@ -223,14 +225,35 @@ void printTable(const Spins& spins) {
   }
 }
 
-/// Beside it, in turn, the same evaluation in the host's own process: it takes as long and asks
-/// nobody.
+/// The same points of the same sea, without a service.
+std::function<void()> bareEvaluation() {
+  struct Water {
+    Sea sea = buildSea(sceneOfTwelveOctaves());
+    std::vector<glm::dvec2> places;
+    std::vector<SurfaceSample> samples = std::vector<SurfaceSample>(points);
+    double time = 0.0;
+  };
+  const auto water = std::make_shared<Water>();
+  for (std::uint32_t i = 0; i < points; ++i) {
+    water->places.emplace_back(6000.0 + 0.1 * i, 2400.0 - 0.05 * i);
+  }
+  return [water] {
+    water->sea.surface.sample(water->places, water->time += 0.01, water->samples);
+    benchmark::DoNotOptimize(water->samples.data());
+  };
+}
+
+/// Beside it, in turn, the same evaluation in another process that is woken by bare events, and in
+/// the host's own: what Seaway does not share with the first is Seaway's.
 void runHost(const seaway::bench::PhysicsHostOptions& options, const Spins& spins) {
+  seaway::bench::EvaluationEcho echo(bareEvaluation);
   Setup setup(spins);
   std::printf("a host that asks 1000 points, 12 octaves, each ms for %.0f s\n", options.seconds);
   seaway::bench::runPhysicsHost(
-      options, setup.server(), [&] { setup.inPlace(points, 0, ServerIs::asIs); },
-      [&] { setup.evaluateOnce(); });
+      options,
+      {{"asking Seaway", [&] { setup.inPlace(points, 0, ServerIs::asIs); }, setup.server()},
+       {"asking an echo", [&] { echo.ask(); }, echo.id()},
+       {"asking nobody", [&] { setup.evaluateOnce(); }}});
 }
 
 }  // namespace
