@@ -21,7 +21,7 @@
 #include "tests/bench/grpc_hosts.h"
 
 // What gRPC adds to the evaluation of 1000 points on 12 octaves.
-//   grpc_bench [ROUNDS] [--clients N] [--seconds S] [--server-cores N] [--listen N]
+//   grpc_bench [ROUNDS] [--clients N] [--ahead N] [--seconds S] [--server-cores N] [--listen N]
 // Beside it, what the bare library takes to answer as many bytes and to answer none: the floor.
 // On a unix socket and on the loopback, from hosts in a process of their own. First one host: kinds
 // of call in turn with the bare evaluation, so that each has the machine as the others have it.
@@ -41,6 +41,7 @@ const std::string path = "unix:/tmp/seaway_grpc_bench." + std::to_string(getpid(
 struct Options {
   int rounds = 5000;
   int clients = 64;
+  int ahead = 0;  // requests that each has under way beside the one it waits for, on streams
   double seconds = 3.0;
   int serverCores = 0;  // 0: all, as the hosts have
   int listen = rpc::RpcServerOptions().callsListenedFor;
@@ -213,7 +214,8 @@ struct Load {
 Load loadOf(Hosts hosts, const std::string& address, bool streaming, const Options& options) {
   const double before = processorSeconds();
   const auto begun = Clock::now();
-  const double rate = hosts.rate(address, streaming, options.clients, options.seconds);
+  const double rate =
+      hosts.rate(address, streaming, options.clients, options.ahead, options.seconds);
   return {rate, 1e6 * (processorSeconds() - before) / (rate * secondsSince(begun))};
 }
 
@@ -258,6 +260,8 @@ Options optionsOf(int argc, char** argv) {
     const char* value = i + 1 < argc ? argv[i + 1] : "0";
     if (word == "--clients")
       options.clients = std::atoi(value), ++i;
+    else if (word == "--ahead")
+      options.ahead = std::atoi(value), ++i;
     else if (word == "--seconds")
       options.seconds = std::atof(value), ++i;
     else if (word == "--server-cores")

@@ -63,6 +63,12 @@ class Host {
     context_.TryCancel();
     stream_->Finish();
   }
+  /// On a stream: so many requests are under way before the first answer is waited for.
+  void askAhead(const v1::SampleRequest& asked, int count) {
+    for (int i = 0; stream_ && i < count; ++i) {
+      if (!stream_->Write(asked)) fail("a stream ended");
+    }
+  }
   void ask(const v1::SampleRequest& asked) {
     if (stream_) {
       if (!stream_->Write(asked) || !stream_->Read(&response_)) {
@@ -111,6 +117,7 @@ struct Order {
   int clients = 1;
   int calls = 0;  // of one host, each timed; 0: as many as go in `seconds`
   double seconds = 0.0;
+  int ahead = 0;  // of each host on a stream
   bool streaming = false, all = false;
   std::size_t count = points;
 };
@@ -159,6 +166,7 @@ inline void serveAsHosts(int in, int out) {
     hosts.clear();
     const double rate = rateOf(order.clients, order.seconds, [&](auto& ending, auto& done) {
       Host host(order.address, order.streaming);
+      host.askAhead(asked, order.ahead);
       while (!ending) {
         host.ask(asked);
         ++done;
@@ -181,8 +189,8 @@ struct Hosts {
     if (!receiveAll(in, us.data(), us.size())) fail("no hosts");
     return us;
   }
-  double rate(const std::string& address, bool streaming, int clients, double seconds) {
-    Order order{.clients = clients, .seconds = seconds, .streaming = streaming};
+  double rate(const std::string& address, bool streaming, int clients, int ahead, double seconds) {
+    Order order{.clients = clients, .seconds = seconds, .ahead = ahead, .streaming = streaming};
     std::snprintf(order.address, sizeof order.address, "%s", address.c_str());
     sendAll(out, &order, 1);
     double rate = 0.0;

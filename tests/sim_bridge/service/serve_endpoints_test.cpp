@@ -219,7 +219,7 @@ TEST(ServeEndpoints, FreeVesselsSailAlongWithAClockOfTheServicesOwn) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   EXPECT_GE(north(), 0.00018);
-  EXPECT_EQ(child.end(SIGTERM), 0);
+  EXPECT_EQ(child.end(SIGTERM), 0) << child.text();
 }
 
 int logErrors(test::ServedChild& child) {

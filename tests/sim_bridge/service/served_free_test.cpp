@@ -68,11 +68,12 @@ TEST(ServedFreeVessels, AreFeltByOthersAndLeaveTheWakeThatARunHas) {
   ServedWaters served(freeScene());
   const double t = 12.0;
   const glm::dvec2 behind(0.0, 20.0);
-  served.bringWakes(t, behind);
-  const auto surface = served.sea.surface();  // at once: wakes that nobody asks for are let go of
   const Sea sea = buildSea(served.scene);
   Simulation simulation = Simulation::replayed(served.scene, sea, t);
   simulation.attend({.cameras = {}, .places = {{behind, 1.0, 0}}});
+  bringTo(served, t);
+  served.bringWakes(t, behind);  // and looked at once: what nobody asks for is let go of
+  const auto surface = served.sea.surface();
   double highest = 0.0, largestDifference = 0.0;
   for (int i = 0; i < 200; ++i) {
     const glm::dvec2 place(-20.0 + 0.2 * i, behind.y);

@@ -108,15 +108,15 @@ TEST(ServedSeaHard, PosesThatCannotBeChangeNothing) {
 
 TEST(ServedWakes, AVesselOnItsCourseLeavesTheWakeThatTheSimulationHas) {
   ServedWaters served;
-  served.bringWakes(12.0, {0.0, 40.0});
+  const Sea sea = buildSea(served.scene);
+  Simulation simulation = Simulation::replayed(served.scene, sea, 12.0);
+  simulation.attend({.cameras = {}, .places = {{{0.0, 40.0}, 1.0, 0}}});
+  served.bringWakes(12.0, {0.0, 40.0});  // and looked at once: what nobody asks for is let go of
+  const auto surface = served.sea.surface();
   const auto span = served.sea.wakeSpan();
   ASSERT_TRUE(span);
   EXPECT_LE(span->first, 12.0);
   EXPECT_GE(span->second, 12.0);
-  const Sea sea = buildSea(served.scene);
-  Simulation simulation = Simulation::replayed(served.scene, sea, 12.0);
-  simulation.attend({.cameras = {}, .places = {{{0.0, 40.0}, 1.0, 0}}});
-  const auto surface = served.sea.surface();
   const double highest = largestWave(simulation.surface(), 12.0, 42.0);
   EXPECT_GT(highest, 0.02);
   for (int i = 0; i < 200; ++i) {
