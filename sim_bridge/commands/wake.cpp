@@ -24,12 +24,13 @@ namespace {
 
 constexpr int modes = 256;
 constexpr double lengthsOfTransverseWaves = 40.0;  // across the window
+constexpr double widestWedge_deg = 60.0;           // that the window holds far enough astern
 constexpr double least = 0.15;                     // Froude number of the hull's length
 
 struct Figures {
   double froude = 0.0, depthFroude = 0.0;
   double wavelength = 0.0, wavelengthTheory = 0.0;  // m
-  double angle_deg = 0.0, extrapolated_deg = 0.0, theory_deg = 0.0;
+  double angle_deg = NAN, extrapolated_deg = NAN, theory_deg = 0.0;
   double resistance = 0.0;  // N
   double stepMs = 0.0;
 };
@@ -45,6 +46,19 @@ double medianStepMs(SteadyWake& wake) {
   return times[7];
 }
 
+void measureAngles(const SteadyWake& wake, double wedge, Figures& figures) {
+  const double deepLength = wake.size() / lengthsOfTransverseWaves;
+  // Wider than the wedge that holds the wake, and as far astern as the window has all of that.
+  const double widest = 1.3 * std::tan(wedge);
+  const double last = std::min(22.0 * deepLength, 0.4 * wake.size() / widest);
+  const double first = std::min(6.0 * deepLength, 0.4 * last);
+  const auto ridge = ridgeOf(wake, first, last, widest);
+  figures.angle_deg = degreesFromRadians(std::atan(ridge.back().aside / ridge.back().astern));
+  figures.extrapolated_deg =
+      degreesFromRadians(figures.depthFroude > 1.0 ? frontAngle(wake, first, last, widest)
+                                                   : ridgeAngleAtInfinity(ridge));
+}
+
 Figures measure(SteadyWake& wake, const WakeOptions& options) {
   const double deepLength = wake.size() / lengthsOfTransverseWaves;
   Figures figures;
@@ -54,16 +68,9 @@ Figures measure(SteadyWake& wake, const WakeOptions& options) {
   figures.wavelength = std::isnan(figures.wavelengthTheory)
                            ? figures.wavelengthTheory
                            : transverseWavelength(wake, 3.0 * deepLength, 20.0 * deepLength);
-  // Wider than the wedge that holds the wake, and as far astern as the window has all of that.
-  const double wedge = wedgeAngle(options.speed, options.depth), widest = 1.3 * std::tan(wedge);
-  const double last = std::min(22.0 * deepLength, 0.4 * wake.size() / widest);
-  const double first = std::min(6.0 * deepLength, 0.4 * last);
-  const auto ridge = ridgeOf(wake, first, last, widest);
-  figures.angle_deg = degreesFromRadians(std::atan(ridge.back().aside / ridge.back().astern));
-  figures.extrapolated_deg =
-      degreesFromRadians(figures.depthFroude > 1.0 ? frontAngle(wake, first, last, widest)
-                                                   : ridgeAngleAtInfinity(ridge));
+  const double wedge = wedgeAngle(options.speed, options.depth);
   figures.theory_deg = degreesFromRadians(wedge);
+  if (figures.theory_deg <= widestWedge_deg) measureAngles(wake, wedge, figures);
   figures.resistance = wake.resistance();
   figures.stepMs = medianStepMs(wake);
   return figures;
@@ -125,10 +132,10 @@ void writeText(const Figures& f, const WakeOptions& options, std::ostream& out) 
   out << fmt::format("                          {:>9} {:>9}\n", "measured", "theory");
   out << fmt::format("transverse wavelength  m  {:>9} {:>9}\n", cell(f.wavelength),
                      cell(f.wavelengthTheory));
-  out << fmt::format("angle of the ridge   deg  {:>9.2f}\n", f.angle_deg);
-  out << fmt::format("{:<21}deg  {:>9.2f} {:>9.2f}\n",
+  out << fmt::format("angle of the ridge   deg  {:>9}\n", cell(f.angle_deg));
+  out << fmt::format("{:<21}deg  {:>9} {:>9}\n",
                      f.depthFroude > 1.0 ? "angle of the front" : "  at infinity",
-                     f.extrapolated_deg, f.theory_deg);
+                     cell(f.extrapolated_deg), cell(f.theory_deg));
   out << fmt::format("wave resistance       kN  {:>9.2f}\n", 1e-3 * f.resistance);
   out << fmt::format("a step of {}x{} cells took {:.2f} ms\n", 2 * modes, 2 * modes, f.stepMs);
   out << "written: " << (std::filesystem::path(options.out) / "wake.png").string() << '\n';

@@ -18,9 +18,9 @@ struct WakeOptions {
 
 /// `seaway wake`: the steady wake of a Wigley hull in still water, as `wake.png` and `wake.json` in
 /// `out`, with wavelength and angles beside theory: the cusp's, beyond the critical speed the
-/// front's. What does not exist (transverse waves beyond that speed) is "none", in JSON null.
-/// Throws InputError for options out of range, and for a hull so slow that its waves are lost
-/// beside it (U < 0.15 √(gL)).
+/// front's. What does not exist (transverse waves beyond that speed, angles about it, where the
+/// wedge is wider than 60 degrees) is "none", in JSON null. Throws InputError for options out of
+/// range, and for a hull so slow that its waves are lost beside it (U < 0.15 √(gL)).
 int runWake(const WakeOptions& options, std::ostream& out);
 void addWakeCommand(CLI::App& app, ChosenCommand& chosen);
 

@@ -171,7 +171,9 @@ TEST(FitCommand, ABuoyReadsTheDirectionsOfAMeasuredSea) {
         << each;
   }
   const auto& system = fit["parameters"]["systems"][0];
-  EXPECT_NEAR(system["from_deg"].get<double>(), 255.0, 1.0) << system;
+  EXPECT_NEAR(system["from_deg"].get<double>(), 255.0,
+              system["from_deg_standard_deviation"].get<double>())
+      << system;
 }
 
 TEST(FitCommand, NeedsSomewhereToWriteAndSoundOptions) {

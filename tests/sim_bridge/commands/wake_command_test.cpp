@@ -44,7 +44,19 @@ TEST(WakeCommand, BeyondTheCriticalSpeedThereAreNoTransverseWaves) {
   EXPECT_TRUE(wake["transverse_wavelength_m"].is_null());
   EXPECT_TRUE(wake["transverse_wavelength_theory_m"].is_null());
   EXPECT_NEAR(wake["cusp_angle_theory_deg"].get<double>(), 47.6, 0.1);  // asin(sqrt(gd)/U)
+  // 46.9: a third of the front's height lies inside its line, less and less so astern.
   EXPECT_NEAR(wake["cusp_angle_extrapolated_deg"].get<double>(), 47.6, 1.0);
+}
+
+TEST(WakeCommandHard, AtTheCriticalSpeedTheWedgeLeavesTheWindowAndIsNotMeasured) {
+  const TempFolder folder;
+  const auto outcome = seaway({"wake", "--speed", "4.43", "--length", "12", "--depth", "2", "--out",
+                               (folder / "wake").string(), "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto wake = nlohmann::json::parse(outcome.out);
+  EXPECT_GT(wake["cusp_angle_theory_deg"].get<double>(), 80.0);
+  EXPECT_TRUE(wake["cusp_angle_deg"].is_null());
+  EXPECT_TRUE(wake["cusp_angle_extrapolated_deg"].is_null());
 }
 
 TEST(WakeCommandHard, RefusesWhatMakesNoWake) {

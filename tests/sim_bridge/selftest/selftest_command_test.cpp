@@ -15,16 +15,19 @@ void writeCases(const test::TempFolder& folder, const std::string& cases) {
   folder.write("scenes/launch.yaml", test::vesselText());
 }
 
-// A property that cannot hold: the case is found, made small, and kept with its command.
-TEST(SelftestHard, AFailingCaseIsMadeSmallAndKept) {
-  const test::TempFolder folder;
-  writeCases(folder, R"(  - name: impossible
+// A property that cannot hold.
+const char* const impossible = R"(  - name: impossible
     area: queries
     property: water is dry
     scene: scenes/scene.yaml
     command: [query, SCENE, --time, 1, --at, "28.878,-78.467", --json]
     expect: {status: works, says: "water is dry"}
-)");
+)";
+
+// A property that cannot hold: the case is found, made small, and kept with its command.
+TEST(SelftestHard, AFailingCaseIsMadeSmallAndKept) {
+  const test::TempFolder folder;
+  writeCases(folder, impossible);
   const auto outcome = test::seaway({"selftest", "--configs", folder.path().string(), "--count",
                                      "0", "--out", (folder / "kept").string(), "--json"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
@@ -60,13 +63,7 @@ TEST(SelftestCommand, TellsWhatIsNoRegularExpressionAndWhereNoCasesAre) {
 // What fails is told by name, fault and property; areas are counted.
 TEST(SelftestCommand, TellsInWordsWhatFailed) {
   const test::TempFolder folder;
-  writeCases(folder, R"(  - name: impossible
-    area: queries
-    property: water is dry
-    scene: scenes/scene.yaml
-    command: [query, SCENE, --time, 1, --at, "28.878,-78.467", --json]
-    expect: {status: works, says: "water is dry"}
-)");
+  writeCases(folder, impossible);
   const auto outcome =
       test::seaway({"selftest", "--configs", folder.path().string(), "--count", "0"});
   EXPECT_EQ(outcome.status, 1) << outcome.err;

@@ -74,8 +74,7 @@ TEST(FrameMaker, ShowsTheWakesOfTheTimeItIsAskedFor) {
   ServedWaters served;
   FrameMaker frames(served.sea);
   const FrameRequest mast{.camera = "mast", .t = 12.0, .size = {240, 160}};
-  frames.draw(
-      mast);  // calls for them; where a machine is slow it does not wait until they are there
+  frames.draw(mast);  // calls for them, and does not wait for ever
   EXPECT_TRUE(served.sea.awaitWakes(60.0));
   const auto drawn = frames.draw(mast);
   EXPECT_TRUE(served.sea.wakeSpan());
