@@ -118,7 +118,7 @@ class CallSlot {
       watch_.check();
       response_.Clear();
       const Outcome outcome = answerer_.answer(request_, response_, watch_);
-      if (outcome.again.count() > 0 && !host_.ending) return wait(outcome.again);
+      if (outcome.again.count() > 0) return wait(outcome.again);
       writeMessage(response_, sent_);
       count(outcome);
     } catch (...) {

@@ -10,7 +10,8 @@ using ListenFeed = std::function<void(grpc::ServerContext*, grpc::ByteBuffer*,
                                       grpc::ServerCompletionQueue*, void*)>;
 
 /// A method of one request and answers for as long as the host likes: `Answerer` (see CallSlot) is
-/// asked for the next one as soon as one is sent, and says `again` while there is none.
+/// asked for the next one as soon as one is sent, says `again` while there is none, and ends the
+/// call, the end of the service among its reasons, by throwing.
 template <class Answerer>
 class FeedMethod : public Method {
  public:
@@ -49,9 +50,6 @@ class FeedMethod : public Method {
     }
     void written(bool ok) {
       if (!ok) return sendRefusal({grpc::StatusCode::CANCELLED, "the host has gone"});
-      if (this->host_.ending) {
-        return sendRefusal({grpc::StatusCode::UNAVAILABLE, "the service is ending"});
-      }
       this->answer();
     }
     FeedMethod& method_;

@@ -22,12 +22,14 @@ class HealthAnswerer {
   Lane lane(const Request&) const { return Lane::here; }
 
  protected:
+  bool isEnding() const { return server_->host().ending; }
+
   HealthCheckResponse::ServingStatus statusOf(const std::string& service) const {
     const std::vector<std::string>& names = server_->serviceNames();
     if (!service.empty() && std::find(names.begin(), names.end(), service) == names.end()) {
       return HealthCheckResponse::SERVICE_UNKNOWN;
     }
-    return server_->host().ending ? HealthCheckResponse::NOT_SERVING : HealthCheckResponse::SERVING;
+    return isEnding() ? HealthCheckResponse::NOT_SERVING : HealthCheckResponse::SERVING;
   }
 
  private:
@@ -50,10 +52,15 @@ class WatchAnswerer : public HealthAnswerer {
  public:
   using HealthAnswerer::HealthAnswerer;
   Outcome answer(const Request& request, Response& response, const CallWatch&) {
+    // Looked at first: a service that ends after this is told of when asked again.
+    const bool ending = isEnding();
     response.set_status(statusOf(request.service()));
-    if (told_ == response.status()) return {.again = std::chrono::milliseconds(200)};
-    told_ = response.status();
-    return {};
+    if (told_ != response.status()) {
+      told_ = response.status();
+      return {};
+    }
+    if (!ending) return {.again = std::chrono::milliseconds(100)};
+    throw RpcFault(grpc::StatusCode::UNAVAILABLE, Refusal::failed, "the service is ending");
   }
   void ended() { told_.reset(); }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <future>
 #include <map>
 
 #include "tests/sim_bridge/grpc/served_water.h"
@@ -160,6 +161,37 @@ TEST(PoseStreams, BadPosesEndTheStreamAndNameTheirField) {
     request.mutable_hulls(i + 1)->set_name("n" + std::to_string(i));
   }
   expect(request, "hulls: 66 are not allowed in one stream; at most 64");
+}
+
+TEST(PoseStreams, AStepThatTheServersEndOvertakesIsDoneOrRefused) {
+  // A large window: a quarter of a second of work, or more.
+  std::string text = test::pilotScene();
+  const std::string small = "{cell_m: 1, window_m: 128}";
+  text.replace(text.find(small), small.size(), "{cell_m: 0.5, window_m: 512}");
+  ServedWater water(text);
+  const auto stub = water.stub();
+  Context context;
+  StepRequest request;
+  StepResponse response;
+  request.set_time_s(1200.0);
+  request.set_wait(true);
+  v1::Place& place = *request.add_places();
+  place.set_y_m(6000.0);
+  place.set_radius_m(20.0);
+  auto status =
+      std::async(std::launch::async, [&] { return stub->Step(&context, request, &response); });
+  EXPECT_EQ(status.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+  water.server->stop();
+  if (const grpc::Status got = status.get(); !got.ok()) {
+    // Half a second was not enough. Whether the status or the end of the connection comes first is
+    // gRPC's.
+    EXPECT_TRUE(got.error_code() == grpc::StatusCode::CANCELLED ||
+                got.error_code() == grpc::StatusCode::UNAVAILABLE)
+        << got.error_message();
+  } else {
+    EXPECT_EQ(response.time_s(), 1200.0);
+    EXPECT_GE(response.wakes_to_s(), 1200.0);
+  }
 }
 
 TEST(PoseStreams, WithoutWakesAStepIsDoneAtOnce) {
