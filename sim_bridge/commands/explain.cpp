@@ -43,12 +43,12 @@ std::size_t stepsToMeasure(const Scene& scene) {
 /// What a scene's effects did, and how often the work behind their costs was done.
 struct Account {
   std::vector<EffectReport> effects;
-  std::size_t frames = 0;  // one of each camera
+  std::vector<SceneCamera> cameras;  // a frame each
   std::size_t steps = 1;
 
   double cost(const EffectReport& effect) const {
     const bool perFrame = std::string_view(unitOf(effect.effect)) == "frame";
-    const std::size_t times = perFrame ? std::max<std::size_t>(frames, 1) : steps;
+    const std::size_t times = perFrame ? std::max<std::size_t>(cameras.size(), 1) : steps;
     return effect.costMicroseconds / static_cast<double>(times);
   }
 };
@@ -67,10 +67,11 @@ void writeTable(const Account& account, std::ostream& out) {
   out << fmt::format(
       "costs: wall time of one step, mean of {}{}; first-use set-up is not in them\n",
       account.steps,
-      account.frames == 0 ? ""
-      : account.frames == 1
-          ? " and of the second frame of the camera"
-          : fmt::format(" and of each camera's second frame, mean of {} cameras", account.frames));
+      account.cameras.empty() ? ""
+      : account.cameras.size() == 1
+          ? fmt::format(" and of the second frame of camera '{}'", account.cameras.front().name)
+          : fmt::format(" and of each camera's second frame, mean of {} cameras",
+                        account.cameras.size()));
 }
 
 void writeJson(const Account& account, std::ostream& out) {
@@ -84,20 +85,25 @@ void writeJson(const Account& account, std::ostream& out) {
                     {"cost_per", unitOf(effect.effect)}});
     if (effect.costInside) list.back()["cost_inside"] = effectName(*effect.costInside);
   }
-  out << nlohmann::ordered_json{{"frames", account.frames}, {"effects", std::move(list)}}.dump(2)
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const SceneCamera& camera : account.cameras) cameras.push_back(camera.name);
+  out << nlohmann::ordered_json{{"frames", cameras.size()},
+                                {"cameras", std::move(cameras)},
+                                {"effects", std::move(list)}}
+             .dump(2)
       << '\n';
 }
 
 /// Every camera draws twice: the first frame sets up what later ones find there.
-void drawAll(const Scene& scene, const Simulation& simulation, const std::string& backend,
-             EffectLedger& ledger) {
-  if (scene.cameras.empty()) return;
+void drawAll(const Scene& scene, const std::vector<SceneCamera>& cameras,
+             const Simulation& simulation, const std::string& backend, EffectLedger& ledger) {
+  if (cameras.empty()) return;
   requireMemoryForPicture(scene.run.size);
   const auto technique = render::makeTechnique({.grid = scene.accuracy.grid, .backend = backend});
   SceneView view(scene);
-  Progress progress("frames", 2 * scene.cameras.size());
+  Progress progress("frames", 2 * cameras.size());
   std::size_t drawn = 0;
-  for (const SceneCamera& camera : scene.cameras) {
+  for (const SceneCamera& camera : cameras) {
     EffectLedger warmUp(scene.effects);
     for (EffectLedger* counted : {&warmUp, &ledger}) {
       technique->draw(view.view(simulation, camera, scene.run.size, *counted));
@@ -112,15 +118,17 @@ int runExplain(const ExplainOptions& options, std::ostream& out) {
   render::requireBackend(options.backend);
   const Scene scene = loadScene(options.scene);
   const double time = requireTime(options.time);
+  const std::vector<SceneCamera> cameras =
+      options.camera.empty() ? scene.cameras : std::vector{findCamera(scene, options.camera)};
   const Sea sea = buildSea(scene);
   Simulation simulation = replayWithProgress(scene, sea, time);
-  simulation.attend({.cameras = scene.cameras, .places = {}});
+  simulation.attend({.cameras = cameras, .places = {}});
   EffectLedger ledger(scene.effects);
-  drawAll(scene, simulation, options.backend, ledger);
+  drawAll(scene, cameras, simulation, options.backend, ledger);
   simulation.step();
   const std::size_t steps = stepsToMeasure(scene);
   for (std::size_t i = 0; i < steps; ++i) simulation.step(&ledger);
-  const Account account{ledger.report(), scene.cameras.size(), steps};
+  const Account account{ledger.report(), cameras, steps};
   (options.json ? writeJson : writeTable)(account, out);
   return 0;
 }
@@ -130,9 +138,12 @@ void addExplainCommand(CLI::App& app, ChosenCommand& chosen) {
   auto options = std::make_shared<ExplainOptions>();
   command->add_option("SCENE", options->scene, "scene file")->required();
   command->add_option("--time", options->time, "seconds since the scene's epoch >= 0 (default 0)");
+  command->add_option("--camera", options->camera, "camera's name (default: all of the scene's)")
+      ->check(mustBeNamed);
   addBackendOption(*command, options->backend);
   command->add_flag("--json", options->json, "machine-readable");
-  command->footer("Example:\n  seaway explain configs/scenes/canaveral.yaml --time 5");
+  command->footer(
+      "Example:\n  seaway explain configs/scenes/canaveral.yaml --time 5 --camera chase");
   command->callback([=, &chosen] { chosen = [=] { return runExplain(*options, std::cout); }; });
 }
 

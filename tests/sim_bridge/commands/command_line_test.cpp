@@ -54,8 +54,43 @@ TEST(CommandLine, ExplainSaysWhereTheSunsCostIsAndThatFramesAreWarm) {
   const auto outcome = seaway({"explain", test::writeScene(folder).string()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("inside water"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("second frame of the camera"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("second frame of camera 'bow'"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("us/step"), std::string::npos) << outcome.out;
+}
+
+TEST(CommandLine, ExplainTellsOfOneCameraWhatItCallsFor) {
+  const test::TempFolder folder;
+  const std::string scene =
+      test::writeScene(folder, {{"run:",
+                                 "  - {name: diver, place: {latitude_deg: 28.878, longitude_deg: "
+                                 "-78.467, height_m: -8}, pitch_deg: 20}\nrun:"}})
+          .string();
+  const auto explained = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"explain", scene, "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = seaway(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto underWater = [](const nlohmann::json& told) -> std::string {
+    for (const auto& effect : told["effects"]) {
+      if (effect["name"] == "under_water") return effect["state"];
+    }
+    return "";
+  };
+  const auto all = explained({}), bow = explained({"--camera", "bow"}),
+             diver = explained({"--camera", "diver"});
+  EXPECT_EQ(all["cameras"], nlohmann::json({"bow", "diver"}));
+  EXPECT_EQ(bow["cameras"], nlohmann::json({"bow"}));
+  EXPECT_EQ(diver["frames"], 1);
+  EXPECT_EQ(underWater(all), "on");
+  EXPECT_EQ(underWater(bow), "idle");
+  EXPECT_EQ(underWater(diver), "on");
+  const auto unknown = seaway({"explain", scene, "--camera", "driver"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("no camera is called 'driver'; did you mean 'diver'?"),
+            std::string::npos)
+      << unknown.err;
 }
 
 TEST(CommandLine, ExplainSaysWhatIsSwitchedOff) {
