@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -57,11 +58,13 @@ void writeCsv(const std::vector<Study>& studies, std::ostream& out) {
 void writeTables(const std::vector<Study>& studies, std::ostream& out) {
   for (const Study& study : studies) {
     out << study.name << ": " << study.summary << '\n';
-    out << fmt::format("  {:<16} {:>14} {:>14} {:>10}\n", "setting", "error " + study.unitError,
-                       study.unitCost, "spread");
+    std::size_t width = 16;
+    for (const CostPoint& point : study.points) width = std::max(width, point.setting.size());
+    out << fmt::format("  {:<{}} {:>14} {:>14} {:>10}\n", "setting", width,
+                       "error " + study.unitError, study.unitCost, "spread");
     for (const CostPoint& point : study.points) {
-      out << fmt::format("  {:<16} {:>14.3g} {:>14.4g} {:>10.2g}\n", point.setting, point.error,
-                         point.cost, point.spread);
+      out << fmt::format("  {:<{}} {:>14.3g} {:>14.4g} {:>10.2g}\n", point.setting, width,
+                         point.error, point.cost, point.spread);
     }
   }
 }
@@ -104,7 +107,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
       }
     }
     if (!scene.cameras.empty()) {
-      for (const auto& of : {studyTerrain, studyShadows, studyUnderWater}) {
+      for (const auto& of : {studyPictures, studyTerrain, studyShadows, studyUnderWater}) {
         for (Study& study : of(scene, sea, studyOptions)) studies.push_back(std::move(study));
       }
     }

@@ -59,8 +59,9 @@ std::string costText(const CostPoint& point) {
 double costOf(const CostPoint& point) { return point.cost; }
 double dialOf(const CostPoint& point) { return point.dial; }
 
-bool isOfPictures(const Study& study) {
-  return study.name.starts_with("image_") && study.unitError != "1";
+/// Studies of the drawn sea by the grid's size, which share a figure.
+bool isByGrid(const Study& study) {
+  return study.name.ends_with("_grid") || study.name.starts_with("image_swimming");
 }
 
 bool isByTechnique(const Study& study) { return study.name.ends_with("_technique"); }
@@ -93,8 +94,8 @@ void addStudy(const Study& study, HtmlPage& page) {
   }
   page.table({"setting", errorLabel(study), "cost, " + study.unitCost}, rows);
   if (isByTechnique(study)) addTechniques(study, page);
-  // Pictures are drawn together; settings without a number are no steps of a dial.
-  if (isOfPictures(study) || study.points.back().dial == 0.0) return;
+  // Those by the grid are drawn together; settings without a number are no steps of a dial.
+  if (isByGrid(study) || study.points.back().dial == 0.0) return;
   if (study.name == "query_octaves") return;  // the page's first figure
   Plot plot;
   plot.title = study.name;
@@ -112,7 +113,7 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
   byCost.title = "error against cost";
   for (Plot* plot : {&byGrid, &byCost}) plot->y = {"error, px or m", true};
   for (const Study& study : studies) {
-    if (!isOfPictures(study) || isByTechnique(study)) continue;
+    if (!isByGrid(study)) continue;
     const std::string label = study.name + ", " + study.unitError;
     byCost.x = {"cost, " + study.unitCost, true};
     addCurves(study, label, dialOf, byGrid);

@@ -4,6 +4,7 @@
 #include "render/technique_choice.h"
 #include "sim_bridge/cost/image_truth.h"
 #include "sim_bridge/cost/study.h"
+#include "sim_bridge/scene/partial_sea.h"
 
 namespace seaway::bridge {
 namespace {
@@ -16,15 +17,14 @@ struct Drawn {
   ImageErrors errors;
 };
 
-Drawn draw(const ImageTruth& truth, const render::TechniqueChoice& choice, std::string setting,
-           const StudyOptions& options) {
+Drawn draw(const ImageTruth& truth, const render::View& view, const render::TechniqueChoice& choice,
+           std::string setting, const StudyOptions& options) {
   const auto technique = render::makeTechnique(choice);
   render::Frame frame;
   // Vertices a side of a square of as many.
   const double side = std::sqrt(static_cast<double>(choice.grid.x) * choice.grid.y);
   Drawn drawn{std::move(setting), side, {}, {}};
-  drawn.timing =
-      timeRepeated([&] { frame = technique->draw(truth.view()); }, options.quick ? 3 : 5);
+  drawn.timing = timeRepeated([&] { frame = technique->draw(view); }, options.quick ? 3 : 5);
   drawn.errors = truth.errorsOf(frame);
   return drawn;
 }
@@ -66,8 +66,8 @@ std::vector<Study> studyGrids(const ImageTruth& truth, glm::ivec2 own,
   std::stable_sort(all.begin(), all.end(),
                    [](const glm::ivec2& a, const glm::ivec2& b) { return a.x * a.y < b.x * b.y; });
   for (const glm::ivec2& grid : all) {
-    const Drawn drawn =
-        draw(truth, {.grid = grid, .backend = options.backend}, "grid " + sizeText(grid), options);
+    const Drawn drawn = draw(truth, truth.view(), {.grid = grid, .backend = options.backend},
+                             "grid " + sizeText(grid), options);
     add(drawn, drawn.errors.position, place);
     add(drawn, drawn.errors.depth, depth);
     add(drawn, drawn.errors.height, height);
@@ -94,7 +94,7 @@ std::vector<Study> studyTechniques(const ImageTruth& truth, const StudyOptions& 
       options.quick ? std::vector<int>{128, 512} : std::vector<int>{128, 256, 512, 1024};
   for (const char* technique : {"projected_grid", "radial_grid", "post_process"}) {
     for (const int side : grids) {
-      Drawn drawn = draw(truth, {.technique = technique, .grid = {side, side}},
+      Drawn drawn = draw(truth, truth.view(), {.technique = technique, .grid = {side, side}},
                          std::string(technique) + " " + sizeText({side, side}), options);
       drawn.dial = 0.0;
       add(drawn, drawn.errors.position, place);
@@ -104,6 +104,34 @@ std::vector<Study> studyTechniques(const ImageTruth& truth, const StudyOptions& 
   return {place, depth};
 }
 
+Study studyOctaves(const ImageTruth& truth, const Scene& scene, const StudyOptions& options) {
+  Study study{"image_octaves",
+              "place of the surface in the picture, rms away from silhouettes, by how many octaves "
+              "are drawn; truth: a ray through every pixel, all octaves" +
+                  truth.where(),
+              "px",
+              "ms/frame",
+              {}};
+  const WaterSurface& water = *truth.view().water;
+  const std::size_t all = water.waves().octaves().size();
+  std::vector<std::size_t> counts{0};
+  for (std::size_t kept = 1; kept < all; kept *= 2) counts.push_back(kept);
+  if (all > 0) counts.push_back(all);
+  for (const std::size_t kept : counts) {
+    Sea fewer = buildPartialSea(scene, kept);
+    fewer.surface.setDetail(water.extras().detail);
+    render::View view = truth.view();
+    view.water = &fewer.surface;
+    const std::string setting = "octaves " + std::to_string(kept);
+    Drawn drawn = draw(truth, view, {.grid = scene.accuracy.grid, .backend = options.backend},
+                       setting, options);
+    drawn.dial = static_cast<double>(kept);
+    add(drawn, drawn.errors.position, study);
+  }
+  study.chosen = "octaves " + std::to_string(all);
+  return study;
+}
+
 }  // namespace
 
 std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOptions& options) {
@@ -111,6 +139,7 @@ std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOp
   if (!truth.showsWater()) return {};
   std::vector<Study> studies = studyGrids(truth, scene.accuracy.grid, options);
   for (Study& study : studyTechniques(truth, options)) studies.push_back(std::move(study));
+  studies.push_back(studyOctaves(truth, scene, options));
   return studies;
 }
 

@@ -5,6 +5,7 @@
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/scene/sea.h"
+#include "surface/field/kernels/field_blocks.h"
 #include "surface/parallel_sampling.h"
 
 namespace seaway::bridge {
@@ -84,12 +85,18 @@ Study studyQueryWays(const Sea& sea, const StudyOptions& options) {
     study.points.push_back({setting, largest, timing.median * perPoint, timing.spread * perPoint});
   };
   add("double precision", [&] { waves.sampleReference(points, time, samples); });
+  const auto inBatches = [&](std::size_t size) {
+    for (std::size_t i = 0; i < points.size(); i += size) {
+      water.sample(std::span(points).subspan(i, size), time, std::span(samples).subspan(i, size));
+    }
+  };
+  for (const char* target : {"SSE4", "AVX2", "AVX3"}) {
+    if (!forceKernelTarget(target)) continue;
+    add(std::string(target) + ", batches of " + std::to_string(batch), [&] { inBatches(batch); });
+  }
+  forceKernelTarget("");
   for (const std::size_t size : {std::size_t{1}, std::size_t{8}, std::size_t{64}, batch}) {
-    add("batches of " + std::to_string(size), [&] {
-      for (std::size_t i = 0; i < points.size(); i += size) {
-        water.sample(std::span(points).subspan(i, size), time, std::span(samples).subspan(i, size));
-      }
-    });
+    add("batches of " + std::to_string(size), [&] { inBatches(size); });
   }
   add("all threads", [&] { sampleInParallel(water.at(time), points, samples); });
   return study;

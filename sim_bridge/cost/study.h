@@ -50,8 +50,9 @@ Timing timeRepeated(const std::function<void()>& work, int repetitions);
 /// has `sea`: its tolerance is the setting that is marked.
 Study studyQueryOctaves(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
-/// The same heights by the ways to ask for them: in double precision, singly, in batches, by many
-/// threads; largest difference from double precision (m) against ns a point.
+/// The same heights by the ways to ask for them: in double precision, by each instruction set that
+/// the machine has, singly, in batches, by many threads; largest difference from double precision
+/// (m) against ns a point. Not while other threads sample.
 Study studyQueryWays(const Sea& sea, const StudyOptions& options);
 
 /// Two studies of other ways to make the scene's sea beside the wave field, ns a point: residual of
@@ -70,11 +71,15 @@ std::vector<Study> studyHullLoads(const Sea& sea, const StudyOptions& options);
 /// costs in MB, in ms to paint and in ns to sample, against finer cells.
 std::vector<Study> studyLayers(const StudyOptions& options);
 
-/// Five studies of the scene's first camera, ms a frame. By grid size: place of the surface in the
+/// Six studies of the scene's first camera, ms a frame. By grid size: place of the surface in the
 /// picture (rms pixels) against a ray-cast, axial depth of water pixels (median m) against a
 /// ray-march, and height of the field where pixels lie (rms m); by technique and the size of its
-/// table, place and depth. None where the camera sees no water.
+/// table, place and depth; by number of octaves drawn, place. None where the camera sees no water.
 std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
+/// Two studies of the colours of the scene's first camera, rms of 255 against ms a frame: by the
+/// picture's size and samples a pixel, and by effects left out.
+std::vector<Study> studyPictures(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// Share of a projected grid's vertices that lie outside the picture (median over ordinary views)
 /// against ms to place 256x512 of them, by where its rows end.

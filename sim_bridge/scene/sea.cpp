@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <random>
 
 #include "sim_bridge/scene/parametric_spectrum.h"
+#include "sim_bridge/scene/partial_sea.h"
 #include "sim_bridge/scene_detail.h"
 #include "surface/angles.h"
 #include "surface/fit/octave_directions.h"
@@ -93,15 +96,25 @@ void warnOfSteepness(const WaveField& field, const Scene& scene) {
       1.0 / limitingSteepness(period));
 }
 
-}  // namespace
+/// Leaves the `kept` largest octaves, each in its place, which its waves depend on.
+void silenceAllBut(std::size_t kept, std::vector<Octave>& octaves) {
+  if (kept >= octaves.size()) return;
+  std::vector<std::size_t> order(octaves.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return octaves[a].standardDeviation > octaves[b].standardDeviation;
+  });
+  for (std::size_t i = kept; i < order.size(); ++i) octaves[order[i]].standardDeviation = 0.0;
+}
 
-Sea buildSea(const Scene& scene) {
+Sea seaOf(const Scene& scene, std::size_t kept) {
   const SeaSettings& sea = scene.sea;
   try {
     Waves waves;
     if (scene.effects[static_cast<std::size_t>(Effect::waves)] != EffectSetting::off) {
       waves = std::visit([&](const auto& state) { return wavesOf(state, scene); }, sea.state);
     }
+    silenceAllBut(kept, waves.octaves);
     WaterSurface surface(fieldOf(std::move(waves.octaves), sea));
     const EffectSetting shores = scene.effects[static_cast<std::size_t>(Effect::outline)];
     if (sea.outline && shores != EffectSetting::off) {
@@ -115,8 +128,6 @@ Sea buildSea(const Scene& scene) {
     surface.setEvents(sceneEvents(scene, geodesy, {field.settings().current, sea.depth}));
     std::vector<BlockedOctave> blocked =
         blockedOctaves(field.octaves(), sea.depth, field.settings().current);
-    warnOf(blocked, scene);
-    warnOfSteepness(field, scene);
     return {geodesy, SeaLevel(sea.waterLevel), std::move(surface), waves.hm0Asked,
             std::move(blocked)};
   } catch (const InputError& fault) {
@@ -124,6 +135,17 @@ Sea buildSea(const Scene& scene) {
                      std::string("key 'sea.state': ") + fault.what());
   }
 }
+
+}  // namespace
+
+Sea buildSea(const Scene& scene) {
+  Sea sea = seaOf(scene, std::numeric_limits<std::size_t>::max());
+  warnOf(sea.blocked, scene);
+  warnOfSteepness(sea.surface.waves(), scene);
+  return sea;
+}
+
+Sea buildPartialSea(const Scene& scene, std::size_t kept) { return seaOf(scene, kept); }
 
 double realisedSignificantWaveHeight(const WaterSurface& surface) {
   constexpr int times = 64;

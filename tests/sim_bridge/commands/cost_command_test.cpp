@@ -24,10 +24,11 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
                                (folder / "cost").string(), "--quick", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name : {"query_octaves", "fit_octaves", "hull_mesh_dynamic", "hull_cutoffs",
-                           "image_position_grid", "image_depth_grid", "image_height_grid",
-                           "image_swimming", "image_swimming_turning", "wake_cell", "wake_step",
-                           "wake_window", "layer_memory", "layer_painting", "layer_sampling"}) {
+  for (const char* name :
+       {"query_octaves", "fit_octaves", "hull_mesh_dynamic", "hull_cutoffs", "image_position_grid",
+        "image_depth_grid", "image_height_grid", "image_swimming", "image_swimming_turning",
+        "image_octaves", "picture_resolution", "wake_cell", "wake_step", "wake_window",
+        "layer_memory", "layer_painting", "layer_sampling"}) {
     const auto& study = studyCalled(report, name);
     ASSERT_GE(study["points"].size(), 3u) << name;
     EXPECT_TRUE(study["unit_error"].is_string());
@@ -45,14 +46,14 @@ TEST(CostCommand, EveryStudyHasAFallingErrorAndAPositiveCost) {
   const std::string page = test::readFile(folder / "cost/report.html");
   std::size_t figures = 0;
   for (auto at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++figures;
-  // Octaves of queries, octaves of fits, four of hulls, three of layers, three of wakes, pictures
-  // by the grid's size and by cost, two by technique, predicted against measured errors; and
-  // shadows, where the launch shades itself.
+  // Octaves of queries, of pictures and of fits, size of pictures, four of hulls, three of layers,
+  // three of wakes, pictures by the grid's size and by cost, two by technique, predicted against
+  // measured errors; and shadows, where the launch shades itself.
   std::size_t ofLight = 0;
   for (const auto& study : report["studies"]) {
     ofLight += study["name"].get<std::string>().starts_with("light_");
   }
-  EXPECT_EQ(figures, 17u + ofLight);
+  EXPECT_EQ(figures, 19u + ofLight);
   EXPECT_NE(page.find("vertices a side"), page.npos);
   EXPECT_TRUE(test::readFile(folder / "cost/height_error.svg").find("<svg") != std::string::npos);
   ASSERT_GE(report["advice"].size(), 3u);

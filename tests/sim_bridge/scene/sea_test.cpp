@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_bridge/scene/partial_sea.h"
 #include "sim_bridge/scene/scene_loader.h"
 #include "surface/angles.h"
 #include "tests/sim_bridge/test_support.h"
@@ -27,6 +28,25 @@ TEST(Sea, RealisesTheWaveHeightAskedFor) {
     const Sea built = seaWith(sea);
     EXPECT_NEAR(realisedSignificantWaveHeight(built.surface), built.hm0Asked,
                 0.02 * built.hm0Asked);
+  }
+}
+
+TEST(Sea, APartOfItIsWhatAToleranceLeaves) {
+  const test::TempFolder folder;
+  for (const char* model : {"group", "perlin"}) {
+    const Scene scene = loadScene(
+        test::writeScene(folder, {{"seed: 7", std::string("seed: 7\n  model: ") + model}}));
+    const WaterSurface whole = buildSea(scene).surface;
+    const std::size_t all = whole.waves().octaves().size();
+    for (const std::size_t kept : {std::size_t{0}, std::size_t{3}, all, all + 7}) {
+      const WaterSurface part = buildPartialSea(scene, kept).surface;
+      EXPECT_EQ(part.waves().octaves().size(), std::min(kept, all));
+      const SampleOptions options{.tolerance = whole.waves().leftOut(std::min(kept, all))};
+      for (const glm::dvec2 place : {glm::dvec2(3.0, 4.0), glm::dvec2(-512.3, 77.7)}) {
+        EXPECT_EQ(part.sample(place, 12.0).height, whole.sample(place, 12.0, options).height)
+            << model << ' ' << kept;
+      }
+    }
   }
 }
 
