@@ -114,7 +114,7 @@ int runCost(const CostOptions& options, std::ostream& out) {
     progress.update(7);
     for (Study& study : studyWakes(scene, studyOptions)) studies.push_back(std::move(study));
     progress.update(8);
-    calibration = calibrate(sea, studyOptions);
+    calibration = calibrate(scene, sea, studyOptions);
     progress.update(9);
   }
   nlohmann::ordered_json json = asJson(studies, options.scene);

@@ -9,6 +9,7 @@
 
 namespace seaway::bridge {
 
+struct Scene;
 struct Sea;
 struct StudyOptions;
 
@@ -26,14 +27,39 @@ struct BoundCheck {
   double reach = 0.0, bound = 0.0, largest = 0.0;
 };
 
+/// Heights of the sea that pictures show, of a grid of `side` by `side` vertices: the error
+/// foreseen from its spacing (render::GridError), and the one that pixels have.
+struct GridCheck {
+  int side = 0, pixels = 0;
+  double predicted = 0.0;          ///< rms over the pixels of one standard deviation, m
+  double measured = 0.0;           ///< rms difference from the field, m
+  std::array<double, 3> within{};  ///< share of pixels within 1, 2 and 3 standard deviations
+};
+
+/// Heights of a vessel's wake by cells of `cell` m: the error foreseen from what cells of twice the
+/// size change (Richardson's extrapolation, first order), and the difference from the finest. Only
+/// where eight cells or more lie on the longest waves that keep up with the vessel, 2πU²/g in deep
+/// water: of waves that cells do not carry they foretell nothing.
+struct CellCheck {
+  double cell = 0.0, predicted = 0.0, measured = 0.0;  ///< m; rms, m; rms, m
+};
+
 /// Whether what samples of a sea say of their own errors is so.
 struct Calibration {
   std::vector<LeftOutCheck> leftOut;
   std::vector<BoundCheck> bounds;
+  std::vector<GridCheck> grids;
+  std::vector<CellCheck> cells;
 };
 
-/// Random points within 400 km at random times of a day. Empty for flat water.
-Calibration calibrate(const Sea& sea, const StudyOptions& options);
+/// Random points within 400 km at random times of a day; what the scene's first camera sees of the
+/// sea, 6 times from its start on; the wake of its first vessel under way. Flat water and scenes
+/// without these have none.
+Calibration calibrate(const Scene& scene, const Sea& sea, const StudyOptions& options);
+
+/// Parts of it.
+std::vector<GridCheck> checkGrids(const Scene& scene, const Sea& sea, const StudyOptions& options);
+std::vector<CellCheck> checkWakeCells(const Scene& scene);
 
 nlohmann::ordered_json asJson(const Calibration& calibration);
 

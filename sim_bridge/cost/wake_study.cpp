@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_bridge/cost/calibration.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/output/number_text.h"
 #include "sim_bridge/scene/scene.h"
 #include "sim_bridge/vessel/wake_footprint.h"
+#include "surface/disturbance/steady_wake.h"
 #include "surface/disturbance/wake_system.h"
 
 namespace seaway::bridge {
@@ -93,13 +95,47 @@ CostPoint measured(const Windows& windows, const SceneVessel& vessel, double dep
           1e6 / 16.0 * timing.spread, windows.dial};
 }
 
-}  // namespace
-
-std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
+const SceneVessel* vesselUnderWay(const Scene& scene) {
   const auto found = std::find_if(scene.vessels.begin(), scene.vessels.end(),
                                   [](const SceneVessel& vessel) { return vessel.speed != 0.0; });
-  if (found == scene.vessels.end()) return {};
-  const SceneVessel& vessel = *found;
+  return found == scene.vessels.end() ? nullptr : &*found;
+}
+
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] - b[i], 2);
+  return std::sqrt(square / static_cast<double>(a.size()));
+}
+
+}  // namespace
+
+std::vector<CellCheck> checkWakeCells(const Scene& scene) {
+  const SceneVessel* vessel = vesselUnderWay(scene);
+  if (!vessel) return {};
+  const double depth = scene.sea.depth;
+  const auto standard = standardCascade(vessel->model.hull.length, depth);
+  const double cell = standard.front().window.cellSize, window = standard.back().window.size();
+  const auto places = placesAround(vessel->model.hull, cell / 0.5);
+  const auto heightsOf = [&](double size) {
+    return Sailed(*vessel, depth, {size, window, standard.front().step, ""}).heights(places);
+  };
+  const std::vector<double> finest = heightsOf(0.5 * cell);
+  const double longest = transverseWavelengthTheory(vessel->speed, depth);  // NaN: any
+  std::vector<CellCheck> checks;
+  std::vector<double> coarser = heightsOf(8.0 * cell);
+  for (const double size : {4.0 * cell, 2.0 * cell, cell}) {
+    const std::vector<double> heights = heightsOf(size);
+    if (!(longest < 8.0 * size))
+      checks.push_back({size, rmsDifference(heights, coarser), rmsDifference(heights, finest)});
+    coarser = heights;
+  }
+  return checks;
+}
+
+std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
+  const SceneVessel* underWay = vesselUnderWay(scene);
+  if (!underWay) return {};
+  const SceneVessel& vessel = *underWay;
   const double depth = scene.sea.depth;
   const auto standard = standardCascade(vessel.model.hull.length, depth);
   const double cell = standard.front().window.cellSize, step = standard.front().step;

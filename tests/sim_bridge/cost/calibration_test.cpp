@@ -9,9 +9,13 @@
 namespace seaway::bridge {
 namespace {
 
+Scene sceneOf(const char* file) {
+  return loadScene(std::string(SEAWAY_SOURCE_DIR "/configs/scenes/") + file);
+}
+
 Calibration of(const char* scene) {
-  const Scene loaded = loadScene(std::string(SEAWAY_SOURCE_DIR "/configs/scenes/") + scene);
-  return calibrate(buildSea(loaded), {.quick = true});
+  const Scene loaded = sceneOf(scene);
+  return calibrate(loaded, buildSea(loaded), {.quick = true});
 }
 
 // Of 16 batches of 1024 points the shares scatter by 0.4 %; few octaves are no exact Gaussian sum.
@@ -26,6 +30,50 @@ TEST(Calibration, StatedStandardDeviationsCoverTheErrorsOfScenes) {
       EXPECT_GE(check.within[2], 0.99) << scene << check.kept;
     }
   }
+}
+
+std::vector<GridCheck> gridsOf(const char* file) {
+  const Scene scene = sceneOf(file);
+  return checkGrids(scene, buildSea(scene), {.quick = true});
+}
+
+// Some 2000 pixels at each of 6 times see the same few waves: shares scatter by some 2 %.
+TEST(Calibration, GridsAreAsFarOffAsTheirSpacingForetells) {
+  for (const char* scene : {"canaveral.yaml", "voyage.yaml", "dawn.yaml"}) {
+    const auto grids = gridsOf(scene);
+    ASSERT_EQ(grids.size(), 4u);
+    for (const GridCheck& check : grids) {
+      EXPECT_NEAR(check.measured / check.predicted, 1.0, 0.1) << scene << check.side;
+      EXPECT_NEAR(check.within[0], 0.68, 0.05) << scene << check.side;
+      EXPECT_GE(check.within[1], 0.94) << scene << check.side;
+      EXPECT_GE(check.within[2], 0.99) << scene << check.side;
+    }
+  }
+}
+
+// In waves of 9 m each picture shows but a few.
+TEST(CalibrationHard, GridsInAStormAreNoFartherOffThanForetold) {
+  for (const GridCheck& check : gridsOf("storm.yaml")) {
+    EXPECT_GE(check.within[0], 0.63) << check.side;
+    EXPECT_GE(check.within[1], 0.94) << check.side;
+    EXPECT_GE(check.within[2], 0.99) << check.side;
+  }
+}
+
+TEST(Calibration, HalvedCellsForetellTheErrorOfWakes) {
+  for (const char* scene : {"canaveral.yaml", "voyage.yaml"}) {
+    const auto cells = checkWakeCells(sceneOf(scene));
+    ASSERT_EQ(cells.size(), 3u) << scene;
+    for (const CellCheck& check : cells) {
+      EXPECT_GT(check.measured, 0.5 * check.predicted) << scene << check.cell;
+      EXPECT_LT(check.measured, 2.0 * check.predicted) << scene << check.cell;
+    }
+  }
+}
+
+// At 2 m/s a wake's longest waves are 2.6 m long.
+TEST(CalibrationHard, CellsThatCarryNoWakeForetellNothing) {
+  EXPECT_TRUE(checkWakeCells(sceneOf("storm.yaml")).empty());
 }
 
 TEST(Calibration, BoundsHoldAndAreNoLooserThanTenTimesTheLargestError) {
