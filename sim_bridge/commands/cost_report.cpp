@@ -13,8 +13,8 @@ namespace seaway::bridge {
 namespace {
 
 /// Zero has no place on a logarithmic axis: a gap.
-double onLogarithm(double value) {
-  return value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
+double onAxis(const Axis& axis, double value) {
+  return value > 0.0 || !axis.logarithmic ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Errors of a study, as a line with its points, over what `abscissa` takes from them.
@@ -22,10 +22,24 @@ template <typename Abscissa>
 void addCurves(const Study& study, const std::string& label, Abscissa abscissa, Plot& plot) {
   Curve curve{label, {}, {}};
   for (const CostPoint& point : study.points) {
-    curve.x.push_back(onLogarithm(abscissa(point)));
-    curve.y.push_back(onLogarithm(point.error));
+    curve.x.push_back(onAxis(plot.x, abscissa(point)));
+    curve.y.push_back(onAxis(plot.y, point.error));
   }
   plot.curves.push_back(curve);
+}
+
+double costOf(const CostPoint& point) { return point.cost; }
+double dialOf(const CostPoint& point) { return point.dial; }
+
+/// The settings that no other beats, as a line over cost; beside it all settings, as points.
+void addFront(const Study& study, const std::string& label, Plot& plot) {
+  Study front = study;
+  front.points = paretoFront(study.points);
+  addCurves(front, label, costOf, plot);
+}
+void addSettings(const Study& study, Plot& plot) {
+  addCurves(study, "settings", costOf, plot);
+  plot.curves.back().style = CurveStyle::points;
 }
 
 /// A number with so many digits at least, all of those before the point.
@@ -40,8 +54,8 @@ void addChosen(const Study& study, Abscissa abscissa, Plot& plot) {
   for (const CostPoint& point : study.points) {
     if (point.setting != study.chosen) continue;
     plot.curves.push_back({"the scene's: " + point.setting,
-                           {onLogarithm(abscissa(point))},
-                           {onLogarithm(point.error)},
+                           {onAxis(plot.x, abscissa(point))},
+                           {onAxis(plot.y, point.error)},
                            CurveStyle::mark});
   }
 }
@@ -55,9 +69,6 @@ std::string errorLabel(const Study& study) {
 std::string costText(const CostPoint& point) {
   return fmt::format("{} ± {}", plainText(point.cost, 4), plainText(point.spread, 2));
 }
-
-double costOf(const CostPoint& point) { return point.cost; }
-double dialOf(const CostPoint& point) { return point.dial; }
 
 /// Studies of the drawn sea by the grid's size, which share a figure.
 bool isByGrid(const Study& study) {
@@ -77,8 +88,8 @@ void addTechniques(const Study& study, HtmlPage& page) {
     if (plot.curves.empty() || plot.curves.back().label != technique) {
       plot.curves.push_back({technique, {}, {}});
     }
-    plot.curves.back().x.push_back(onLogarithm(point.cost));
-    plot.curves.back().y.push_back(onLogarithm(point.error));
+    plot.curves.back().x.push_back(onAxis(plot.x, point.cost));
+    plot.curves.back().y.push_back(onAxis(plot.y, point.error));
   }
   page.figure(svgOf(plot), "Error against cost, a line a technique.");
 }
@@ -101,9 +112,10 @@ void addStudy(const Study& study, HtmlPage& page) {
   plot.title = study.name;
   plot.x = {"cost, " + study.unitCost, true};
   plot.y = {errorLabel(study), true};
-  addCurves(study, study.name, costOf, plot);
+  addFront(study, "Pareto front", plot);
+  addSettings(study, plot);
   addChosen(study, costOf, plot);
-  page.figure(svgOf(plot), "Error against cost.");
+  page.figure(svgOf(plot), "Error against cost: no setting beats those on the line in both.");
 }
 
 void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
@@ -117,13 +129,15 @@ void addPictures(const std::vector<Study>& studies, HtmlPage& page) {
     const std::string label = study.name + ", " + study.unitError;
     byCost.x = {"cost, " + study.unitCost, true};
     addCurves(study, label, dialOf, byGrid);
-    addCurves(study, label, costOf, byCost);
+    addFront(study, label, byCost);
     if (study.name == "image_position_grid") addChosen(study, costOf, byCost);
   }
   if (byGrid.curves.empty()) return;
   page.heading("Pictures: pixel and metre errors");
   page.figure(svgOf(byGrid), "Errors of the drawn sea by the number of vertices each way.");
-  page.figure(svgOf(byCost), "The same errors by what a frame costs on this machine.");
+  page.figure(svgOf(byCost),
+              "The same errors by what a frame costs on this machine, of settings that none beats "
+              "in both.");
 }
 
 }  // namespace
@@ -135,14 +149,10 @@ std::string heightErrorFigure(const std::vector<Study>& studies) {
   plot.y = {"error, m rms", false, 0.0};  // not logarithmic: the whole sea has no error
   for (const Study& study : studies) {
     if (study.name != "query_octaves") continue;
-    plot.curves.push_back({"by number of octaves", {}, {}});
-    for (const CostPoint& point : study.points) {
-      plot.curves.front().x.push_back(point.cost);
-      plot.curves.front().y.push_back(point.error);
-      if (point.setting != study.chosen) continue;
-      plot.curves.push_back(
-          {"the scene's: " + study.chosen, {point.cost}, {point.error}, CurveStyle::mark});
-    }
+    addFront(study, "Pareto front", plot);
+    addSettings(study, plot);
+    plot.curves.back().label = "numbers of octaves";
+    addChosen(study, costOf, plot);
   }
   return svgOf(plot);
 }

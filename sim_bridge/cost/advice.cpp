@@ -40,8 +40,11 @@ const CostPoint& mostAccurate(const Study& study) {
 void adviseOnHeights(const Study& study, std::vector<std::string>& advice) {
   const double sea_m = study.points.front().error;  // without any octave: the sea's own deviation
   const CostPoint& all = mostAccurate(study);
-  const CostPoint* tenth = cheapestWithin(study, 0.1 * sea_m);
-  if (!tenth || tenth == &all) return;
+  // Fewest octaves: the last ones cost so little that the machine's noise would choose among them.
+  const auto tenth =
+      std::find_if(study.points.begin(), study.points.end(),
+                   [&](const CostPoint& point) { return point.error <= 0.1 * sea_m; });
+  if (tenth == study.points.end() || &*tenth == &all) return;
   advice.push_back(
       fmt::format("Heights within {:.2g} m rms, a tenth of the sea's own deviation, cost {:.0f} ns "
                   "a point ({}); all of the sea costs {:.0f} ns ({}).",

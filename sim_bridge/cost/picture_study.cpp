@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 
 #include "render/technique_choice.h"
 #include "sim_bridge/cost/study.h"
@@ -54,33 +55,22 @@ class Stage {
         options_(options),
         simulation_(scene, sea),
         sceneView_(scene),
-        camera_(findCamera(scene, "")) {}
+        camera_(findCamera(scene, "")),
+        ledger_(scene.effects) {}
 
   glm::ivec2 size() const { return options_.quick ? glm::ivec2(320, 180) : glm::ivec2(640, 360); }
   std::string where() const { return "camera '" + camera_.name + "', " + sizeText(size()); }
+  int repetitions() const { return options_.quick ? 3 : 5; }
 
-  struct Drawn {
-    render::ColourImage colour;
-    Timing timing;
-    std::vector<EffectReport> effects;
-  };
-  /// Draws as the scene does, so many times over.
-  Drawn draw(glm::ivec2 size, int samplesPerSide, const EffectSettings& settings,
-             bool timed = true) {
-    const auto technique =
-        render::makeTechnique({.grid = scene_.accuracy.grid, .backend = options_.backend});
-    EffectLedger ledger(settings);
-    render::View view = sceneView_.view(simulation_, camera_, size, ledger);
+  /// What the camera sees; valid until the next call.
+  render::View view(glm::ivec2 size, int samplesPerSide) {
+    render::View view = sceneView_.view(simulation_, camera_, size, ledger_);
     view.samplesPerSide = samplesPerSide;
     view.light.dithers = false;
-    render::Frame frame;
-    Drawn drawn;
-    const auto work = [&] { technique->drawInto(view, frame); };
-    if (timed) drawn.timing = timeRepeated(work, options_.quick ? 3 : 5);
-    if (!timed) work();
-    drawn.colour = std::move(frame.colour);
-    drawn.effects = ledger.report();
-    return drawn;
+    return view;
+  }
+  std::unique_ptr<render::RenderTechnique> technique() const {
+    return render::makeTechnique({.grid = scene_.accuracy.grid, .backend = options_.backend});
   }
 
  private:
@@ -89,13 +79,14 @@ class Stage {
   Simulation simulation_;
   SceneView sceneView_;
   const SceneCamera& camera_;
+  EffectLedger ledger_;
 };
 
 CostPoint pointOf(std::string setting, double error, const Timing& timing, double dial = 0.0) {
   return {std::move(setting), error, 1e3 * timing.median, 1e3 * timing.spread, dial};
 }
 
-Study studyResolution(Stage& stage, const Scene& scene) {
+Study studyResolution(Stage& stage) {
   const glm::ivec2 full = stage.size();
   Study study{
       "picture_resolution",
@@ -105,21 +96,36 @@ Study studyResolution(Stage& stage, const Scene& scene) {
       "of 255",
       "ms/frame",
       {}};
-  const render::ColourImage truth = stage.draw(full, truthSamples, scene.effects, false).colour;
-  for (const int part : {8, 4, 2, 1}) {
-    const Stage::Drawn drawn = stage.draw(full / part, 1, scene.effects);
-    study.points.push_back(pointOf(sizeText(full / part), colourError(drawn.colour, truth),
-                                   drawn.timing, full.x / part));
-  }
+  const render::Frame truth = stage.technique()->draw(stage.view(full, truthSamples));
+  const auto add = [&](std::string setting, glm::ivec2 size, int samples) {
+    const auto technique = stage.technique();
+    const render::View view = stage.view(size, samples);
+    render::Frame frame;
+    const Timing timing =
+        timeRepeated([&] { technique->drawInto(view, frame); }, stage.repetitions());
+    study.points.push_back(pointOf(std::move(setting), colourError(frame.colour, truth.colour),
+                                   timing, double(size.x) * samples));
+  };
+  for (const int part : {8, 4, 2, 1}) add(sizeText(full / part), full / part, 1);
   for (const int samples : {2, 3}) {
-    const Stage::Drawn drawn = stage.draw(full, samples, scene.effects);
-    study.points.push_back(
-        pointOf(sizeText(full) + ", " + std::to_string(samples * samples) + " samples",
-                colourError(drawn.colour, truth), drawn.timing, full.x * samples));
+    add(sizeText(full) + ", " + std::to_string(samples * samples) + " samples", full, samples);
   }
-  study.chosen = sizeText(full);
   return study;
 }
+
+/// A picture drawn again and again with some effects.
+struct Repeated {
+  Repeated(const Stage& stage, const render::View& seen, const EffectSettings& settings)
+      : technique(stage.technique()), ledger(settings), view(seen) {
+    view.effects = &ledger;
+  }
+  void draw() { technique->drawInto(view, frame); }
+
+  std::unique_ptr<render::RenderTechnique> technique;
+  EffectLedger ledger;
+  render::View view;
+  render::Frame frame;
+};
 
 Study studyEffects(Stage& stage, const Scene& scene) {
   Study study{"picture_effects",
@@ -128,17 +134,27 @@ Study studyEffects(Stage& stage, const Scene& scene) {
                   stage.where() + " pixels",
               "of 255",
               "ms/frame",
-              {}};
-  const Stage::Drawn all = stage.draw(stage.size(), 1, scene.effects);
-  study.chosen = "all effects";
-  study.points.push_back(pointOf(study.chosen, 0.0, all.timing));
-  for (const EffectReport& report : all.effects) {
+              {},
+              "all effects"};
+  const render::View view = stage.view(stage.size(), 1);
+  std::vector<std::string> settings{study.chosen};
+  std::vector<std::unique_ptr<Repeated>> pictures;
+  pictures.push_back(std::make_unique<Repeated>(stage, view, scene.effects));
+  pictures.front()->draw();
+  for (const EffectReport& report : pictures.front()->ledger.report()) {
     if (report.state != EffectState::on) continue;
     EffectSettings without = scene.effects;
     without[static_cast<std::size_t>(report.effect)] = EffectSetting::off;
-    const Stage::Drawn drawn = stage.draw(stage.size(), 1, without);
-    study.points.push_back(pointOf("without " + std::string(effectName(report.effect)),
-                                   colourError(drawn.colour, all.colour), drawn.timing));
+    settings.push_back("without " + std::string(effectName(report.effect)));
+    pictures.push_back(std::make_unique<Repeated>(stage, view, without));
+  }
+  std::vector<std::function<void()>> works;
+  for (const auto& picture : pictures) works.push_back([&each = *picture] { each.draw(); });
+  const std::vector<Timing> timings = timeByTurns(works, stage.repetitions());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    study.points.push_back(
+        pointOf(settings[i], colourError(pictures[i]->frame.colour, pictures.front()->frame.colour),
+                timings[i]));
   }
   return study;
 }
@@ -147,7 +163,7 @@ Study studyEffects(Stage& stage, const Scene& scene) {
 
 std::vector<Study> studyPictures(const Scene& scene, const Sea& sea, const StudyOptions& options) {
   Stage stage(scene, sea, options);
-  return {studyResolution(stage, scene), studyEffects(stage, scene)};
+  return {studyResolution(stage), studyEffects(stage, scene)};
 }
 
 }  // namespace seaway::bridge

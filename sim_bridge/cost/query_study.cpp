@@ -41,21 +41,24 @@ Study studyQueryOctaves(const Scene& scene, const Sea& sea, const StudyOptions& 
   constexpr double time = 12.0;
   water.sample(points, time, truth);
   const std::size_t count = water.waves().octaves().size();
+  std::vector<std::function<void()>> works;
   for (std::size_t kept = 0; kept <= count; ++kept) {
     const SampleOptions sampling{.tolerance = kept == count ? 0.0 : water.waves().leftOut(kept)};
     water.sample(points, time, samples, sampling);
-    const Timing timing = timeRepeated(
-        [&] {
-          for (std::size_t i = 0; i < points.size(); i += batch) {
-            water.sample(std::span(points).subspan(i, batch), time,
-                         std::span(samples).subspan(i, batch), sampling);
-          }
-        },
-        options.quick ? 5 : 15);
-    const double perPoint = 1e9 / static_cast<double>(points.size());
-    study.points.push_back({"octaves " + std::to_string(kept), rmsDifference(samples, truth),
-                            timing.median * perPoint, timing.spread * perPoint,
-                            static_cast<double>(kept)});
+    study.points.push_back({"octaves " + std::to_string(kept), rmsDifference(samples, truth), 0.0,
+                            0.0, static_cast<double>(kept)});
+    works.push_back([&, sampling] {
+      for (std::size_t i = 0; i < points.size(); i += batch) {
+        water.sample(std::span(points).subspan(i, batch), time,
+                     std::span(samples).subspan(i, batch), sampling);
+      }
+    });
+  }
+  const std::vector<Timing> timings = timeByTurns(works, options.quick ? 5 : 15);
+  const double perPoint = 1e9 / static_cast<double>(points.size());
+  for (std::size_t kept = 0; kept <= count; ++kept) {
+    study.points[kept].cost = timings[kept].median * perPoint;
+    study.points[kept].spread = timings[kept].spread * perPoint;
   }
   study.chosen =
       "octaves " + std::to_string(water.waves().octavesFor(scene.accuracy.motionTolerance));

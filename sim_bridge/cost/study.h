@@ -46,6 +46,14 @@ std::string machineLine();
 /// Runs `work` once to warm up and `repetitions` ≥ 3 times under the clock; seconds a run.
 Timing timeRepeated(const std::function<void()>& work, int repetitions);
 
+/// Several works by turns, so that what else the machine does strikes all alike: each once to warm
+/// up, then all of them `repetitions` ≥ 3 times over.
+std::vector<Timing> timeByTurns(const std::vector<std::function<void()>>& works, int repetitions);
+
+/// The points that no other beats in both error and cost, by rising cost. Errors that are no
+/// numbers are in none.
+std::vector<CostPoint> paretoFront(std::vector<CostPoint> points);
+
 /// Height error (m rms) against ns a point, by number of octaves kept. Truth: all octaves. `scene`
 /// has `sea`: its tolerance is the setting that is marked.
 Study studyQueryOctaves(const Scene& scene, const Sea& sea, const StudyOptions& options);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace seaway::bridge {
 namespace {
 
@@ -22,6 +24,20 @@ TEST(CostAdvice, NamesTheCheapestSettingWithinATenthOfTheSeaBesideTheWhole) {
   EXPECT_EQ(advice[0],
             "Heights within 0.04 m rms, a tenth of the sea's own deviation, cost 80 ns a point "
             "(octaves 12); all of the sea costs 130 ns (octaves 24).");
+}
+
+TEST(ParetoFront, IsWhatNothingBeatsInBoth) {
+  const auto front = paretoFront({{"d", 0.1, 9.0},
+                                  {"worse than b", 0.5, 4.0},
+                                  {"a", 2.0, 1.0},
+                                  {"none", std::nan(""), 0.5},
+                                  {"b", 0.4, 3.0},
+                                  {"as good as b", 0.4, 3.0}});
+  ASSERT_EQ(front.size(), 3u);
+  EXPECT_EQ(front[0].setting, "a");
+  EXPECT_EQ(front[1].setting, "b");
+  EXPECT_EQ(front[2].setting, "d");
+  EXPECT_TRUE(paretoFront({}).empty());
 }
 
 TEST(CostAdvice, SaysNothingWhereOnlyTheWholeIsAccurate) {
