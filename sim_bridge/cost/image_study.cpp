@@ -34,10 +34,6 @@ void add(const Drawn& drawn, double error, Study& study) {
       {drawn.setting, error, 1e3 * drawn.timing.median, 1e3 * drawn.timing.spread, drawn.dial});
 }
 
-std::string sizeText(glm::ivec2 size) {
-  return std::to_string(size.x) + "x" + std::to_string(size.y);
-}
-
 std::vector<Study> studyGrids(const ImageTruth& truth, glm::ivec2 own,
                               const StudyOptions& options) {
   Study place{

@@ -16,12 +16,15 @@ constexpr glm::ivec2 finestGrid(4096, 4096);
 
 }  // namespace
 
+std::string sizeText(glm::ivec2 size) {
+  return std::to_string(size.x) + "x" + std::to_string(size.y);
+}
+
 ImageTruth::ImageTruth(const Scene& scene, const Sea& sea, const StudyOptions& options)
     : simulation_(scene, sea), sceneView_(scene), ledger_(scene.effects) {
   const SceneCamera& camera = findCamera(scene, "");
   const glm::ivec2 size = options.quick ? glm::ivec2(320, 180) : glm::ivec2(640, 360);
-  where_ = ", camera '" + camera.name + "', " + std::to_string(size.x) + "x" +
-           std::to_string(size.y) + " pixels";
+  where_ = ", camera '" + camera.name + "', " + sizeText(size) + " pixels";
   view_ = sceneView_.view(simulation_, camera, size, ledger_);
   marchRays(options.quick ? 8 : 4);
   if (!showsWater()) return;

@@ -10,6 +10,9 @@ namespace seaway::bridge {
 
 struct StudyOptions;
 
+/// "640x360".
+std::string sizeText(glm::ivec2 size);
+
 /// How far a picture is from the truth.
 struct ImageErrors {
   double position = 0.0;  ///< place of the surface in the picture, rms away from silhouettes, px

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "render/technique_choice.h"
+#include "sim_bridge/cost/image_truth.h"
 #include "sim_bridge/cost/study.h"
 #include "sim_bridge/scene_view.h"
 
@@ -12,10 +13,6 @@ namespace seaway::bridge {
 namespace {
 
 constexpr int truthSamples = 6;  // a side
-
-std::string sizeText(glm::ivec2 size) {
-  return std::to_string(size.x) + "x" + std::to_string(size.y);
-}
 
 /// The colour of a picture at `pixel`, whole numbers being pixels' centres: between those around it
 /// as screens do that enlarge pictures.

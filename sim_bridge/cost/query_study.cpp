@@ -21,10 +21,15 @@ std::vector<glm::dvec2> randomPoints(std::size_t count) {
   return points;
 }
 
+/// Of the points that are not dry; NaN where all are.
 double rmsDifference(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(a[i].height - b[i].height, 2);
-  return std::sqrt(sum / static_cast<double>(a.size()));
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!std::isfinite(b[i].height)) continue;
+    sum += std::pow(a[i].height - b[i].height, 2);
+    ++count;
+  }
+  return std::sqrt(sum / count);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -114,6 +115,13 @@ std::string styleOf(const Curve& curve, const char* colour) {
   return "";
 }
 
+bool isEmpty(const Curve& curve) {
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) return false;
+  }
+  return true;
+}
+
 std::string palette() {
   return "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', "
          "1 '#fde725')\n";
@@ -122,7 +130,15 @@ std::string palette() {
 }  // namespace
 
 std::string svgOf(const Plot& plot) {
-  std::string script = preamble(plot.title, 820, 400) + axis("x", plot.x) + axis("y", plot.y);
+  Axis x = plot.x, y = plot.y;
+  // Gnuplot refuses axes that it finds no range for.
+  if (std::all_of(plot.curves.begin(), plot.curves.end(), isEmpty)) {
+    for (Axis* axis : {&x, &y}) {
+      if (!axis->low) axis->low = 0.1;
+      if (!axis->high) axis->high = 10.0 * std::max(0.1, std::abs(*axis->low));
+    }
+  }
+  std::string script = preamble(plot.title, 820, 400) + axis("x", x) + axis("y", y);
   // Long lists of names would lie over the curves.
   if (plot.curves.size() > 3) script += "set key outside right top\n";
   std::string draw = "plot ";

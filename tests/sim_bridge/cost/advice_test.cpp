@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "sim_bridge/report/plot.h"
+#include "sim_bridge/scene/scene_loader.h"
+#include "sim_bridge/scene/sea.h"
+
 namespace seaway::bridge {
 namespace {
 
@@ -38,6 +42,19 @@ TEST(ParetoFront, IsWhatNothingBeatsInBoth) {
   EXPECT_EQ(front[1].setting, "b");
   EXPECT_EQ(front[2].setting, "d");
   EXPECT_TRUE(paretoFront({}).empty());
+}
+
+TEST(CostStudiesHard, DryPlacesAreNotAskedForTheirHeight) {
+  const Scene island = loadScene(SEAWAY_SOURCE_DIR "/configs/scenes/island.yaml");
+  const Study study = studyQueryOctaves(island, buildSea(island), {.quick = true});
+  EXPECT_GT(study.points.front().error, 0.0);
+  EXPECT_EQ(study.points.back().error, 0.0);
+}
+
+TEST(PlotHard, WithoutAPointToShowIsDrawnAllTheSame) {
+  Plot plot{"nothing", {"x", true}, {"y", false, 0.0}, {}};
+  plot.curves = {{"none", {1.0, std::nan("")}, {std::nan(""), 2.0}}};
+  EXPECT_NE(svgOf(plot).find("none"), std::string::npos);
 }
 
 TEST(CostAdvice, SaysNothingWhereOnlyTheWholeIsAccurate) {
