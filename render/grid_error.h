@@ -15,6 +15,7 @@ class GridError {
  public:
   /// `layout`, which has no rings, must outlive this object.
   GridError(const WaveField& waves, const GridLayout& layout);
+  GridError(const WaveField& waves, GridLayout&& layout) = delete;
 
   /// One standard deviation, m, at a place of the grid relative to the camera's foot point, m.
   double standardDeviationAt(glm::dvec2 place) const;

@@ -48,7 +48,7 @@ void writeCsv(const std::vector<Study>& studies, std::ostream& out) {
   out << "study,setting,error,unit_error,cost,spread,unit_cost\n";
   for (const Study& study : studies) {
     for (const CostPoint& point : study.points) {
-      out << study.name << ',' << point.setting << ',' << numberText(point.error) << ','
+      out << study.name << ",\"" << point.setting << "\"," << numberText(point.error) << ','
           << study.unitError << ',' << numberText(point.cost) << ',' << numberText(point.spread)
           << ',' << study.unitCost << '\n';
     }

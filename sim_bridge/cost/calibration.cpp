@@ -108,7 +108,7 @@ void addGrids(const std::vector<GridCheck>& checks, HtmlPage& page) {
   page.paragraph(
       "Heights of the sea that pictures of the first camera show, where pixels lie: one standard "
       "deviation foreseen from where the grid's vertices are, beside the rms difference from the "
-      "field, at six times a minute apart.");
+      "field, at six times 61 s apart.");
   std::vector<Row> rows;
   for (const GridCheck& check : checks) {
     const std::string side = std::to_string(check.side);
@@ -121,7 +121,8 @@ void addCells(const std::vector<CellCheck>& checks, HtmlPage& page) {
   if (checks.empty()) return;
   page.paragraph(
       "Heights of a wake by the size of its cells: the rms change from cells of twice the size, "
-      "which foretells the error to a factor of two, beside the difference from the finest cells.");
+      "which foretells the error to a factor of two, beside the difference from cells of a quarter "
+      "of the size or less.");
   std::vector<Row> rows;
   for (const CellCheck& check : checks) {
     rows.push_back({fmt::format("{:g}", check.cell), fmt::format("{:.3g}", check.predicted),
@@ -210,6 +211,7 @@ void addCalibration(const Calibration& calibration, HtmlPage& page) {
     if (checks.empty()) return;
     Curve curve{label, {}, {}, CurveStyle::points};
     for (const auto& check : checks) {
+      if (!(check.predicted > 0.0 && check.measured > 0.0)) continue;  // no place on the axes
       curve.x.push_back(check.predicted);
       curve.y.push_back(check.measured);
       equal.x.push_back(check.predicted);

@@ -37,9 +37,10 @@ struct GridCheck {
 };
 
 /// Heights of a vessel's wake by cells of `cell` m: the error foreseen from what cells of twice the
-/// size change (Richardson's extrapolation, first order), and the difference from the finest. Only
-/// where eight cells or more lie on the longest waves that keep up with the vessel, 2πU²/g in deep
-/// water: of waves that cells do not carry they foretell nothing.
+/// size change, and the difference from cells of a quarter of the size or less. Cells leave out
+/// short waves; those that twice the size leaves out besides are the longest of them, and mostly
+/// the highest. Only where eight cells or more lie on the longest waves that keep up with the
+/// vessel, 2πU²/g in deep water: of waves that cells do not carry they foretell nothing.
 struct CellCheck {
   double cell = 0.0, predicted = 0.0, measured = 0.0;  ///< m; rms, m; rms, m
 };
@@ -53,8 +54,8 @@ struct Calibration {
 };
 
 /// Random points within 400 km at random times of a day; what the scene's first camera sees of the
-/// sea, 6 times from its start on; the wake of its first vessel under way. Flat water and scenes
-/// without these have none.
+/// sea, 6 times from its start on, 61 s apart, where it is above the water; the wake of its first
+/// vessel under way. Flat water and scenes without these have none.
 Calibration calibrate(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// Parts of it.

@@ -101,13 +101,14 @@ std::vector<Study> studyTechniques(const ImageTruth& truth, const StudyOptions& 
 }
 
 Study studyOctaves(const ImageTruth& truth, const Scene& scene, const StudyOptions& options) {
-  Study study{"image_octaves",
-              "place of the surface in the picture, rms away from silhouettes, by how many octaves "
-              "are drawn; truth: a ray through every pixel, all octaves" +
-                  truth.where(),
-              "px",
-              "ms/frame",
-              {}};
+  Study study{
+      "image_octaves",
+      "height of the drawn surface against the field queried there, rms, by how many octaves "
+      "are drawn; truth: all octaves" +
+          truth.where(),
+      "m",
+      "ms/frame",
+      {}};
   const WaterSurface& water = *truth.view().water;
   const std::size_t all = water.waves().octaves().size();
   std::vector<std::size_t> counts{0};
@@ -116,13 +117,16 @@ Study studyOctaves(const ImageTruth& truth, const Scene& scene, const StudyOptio
   for (const std::size_t kept : counts) {
     Sea fewer = buildPartialSea(scene, kept);
     fewer.surface.setDetail(water.extras().detail);
+    const auto wakes = std::make_shared<DisturbanceFeed>();
+    wakes->publish(water.disturbances());
+    fewer.surface.setDisturbances(wakes);
     render::View view = truth.view();
     view.water = &fewer.surface;
     const std::string setting = "octaves " + std::to_string(kept);
     Drawn drawn = draw(truth, view, {.grid = scene.accuracy.grid, .backend = options.backend},
                        setting, options);
     drawn.dial = static_cast<double>(kept);
-    add(drawn, drawn.errors.position, study);
+    add(drawn, drawn.errors.height, study);
   }
   study.chosen = "octaves " + std::to_string(all);
   return study;

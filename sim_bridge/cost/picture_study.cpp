@@ -103,7 +103,7 @@ Study studyResolution(Stage& stage) {
     study.points.push_back(pointOf(std::move(setting), colourError(frame.colour, truth.colour),
                                    timing, double(size.x) * samples));
   };
-  for (const int part : {8, 4, 2, 1}) add(sizeText(full / part), full / part, 1);
+  for (const int part : {4, 2, 1}) add(sizeText(full / part), full / part, 1);
   for (const int samples : {2, 3}) {
     add(sizeText(full) + ", " + std::to_string(samples * samples) + " samples", full, samples);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <thread>
@@ -54,6 +55,7 @@ std::vector<Timing> timeByTurns(const std::vector<std::function<void()>>& works,
 }
 
 std::vector<CostPoint> paretoFront(std::vector<CostPoint> points) {
+  std::erase_if(points, [](const CostPoint& point) { return std::isnan(point.error); });
   std::stable_sort(points.begin(), points.end(), [](const CostPoint& a, const CostPoint& b) {
     return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
   });

@@ -82,7 +82,7 @@ std::vector<Study> studyLayers(const StudyOptions& options);
 /// Six studies of the scene's first camera, ms a frame. By grid size: place of the surface in the
 /// picture (rms pixels) against a ray-cast, axial depth of water pixels (median m) against a
 /// ray-march, and height of the field where pixels lie (rms m); by technique and the size of its
-/// table, place and depth; by number of octaves drawn, place. None where the camera sees no water.
+/// table, place and depth; by number of octaves drawn, height. None where the camera sees no water.
 std::vector<Study> studyImages(const Scene& scene, const Sea& sea, const StudyOptions& options);
 
 /// Two studies of the colours of the scene's first camera, rms of 255 against ms a frame: by the

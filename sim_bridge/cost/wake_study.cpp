@@ -116,14 +116,15 @@ std::vector<CellCheck> checkWakeCells(const Scene& scene) {
   const auto standard = standardCascade(vessel->model.hull.length, depth);
   const double cell = standard.front().window.cellSize, window = standard.back().window.size();
   const auto places = placesAround(vessel->model.hull, cell / 0.5);
+  if (places.empty()) return {};  // too wide a hull
   const auto heightsOf = [&](double size) {
     return Sailed(*vessel, depth, {size, window, standard.front().step, ""}).heights(places);
   };
   const std::vector<double> finest = heightsOf(0.5 * cell);
-  const double longest = transverseWavelengthTheory(vessel->speed, depth);  // NaN: any
+  const double longest = transverseWavelengthTheory(std::abs(vessel->speed), depth);  // NaN: any
   std::vector<CellCheck> checks;
   std::vector<double> coarser = heightsOf(8.0 * cell);
-  for (const double size : {4.0 * cell, 2.0 * cell, cell}) {
+  for (const double size : {4.0 * cell, 2.0 * cell}) {
     const std::vector<double> heights = heightsOf(size);
     if (!(longest < 8.0 * size))
       checks.push_back({size, rmsDifference(heights, coarser), rmsDifference(heights, finest)});
@@ -141,6 +142,7 @@ std::vector<Study> studyWakes(const Scene& scene, const StudyOptions& options) {
   const double cell = standard.front().window.cellSize, step = standard.front().step;
   const double scale = cell / 0.5, window = standard.back().window.size();
   const std::vector<glm::dvec2> places = placesAround(vessel.model.hull, scale);
+  if (places.empty()) return {};  // too wide a hull
   // Each dial against its own finest setting, the others as they are.
   const auto study = [&](std::string name, const std::string& dial, const Windows& finest,
                          std::vector<Windows> settings) {

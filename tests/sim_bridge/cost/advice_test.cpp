@@ -22,7 +22,7 @@ Study heights() {
            {"octaves 24", 0.0, 130.0}}};
 }
 
-TEST(CostAdvice, NamesTheCheapestSettingWithinATenthOfTheSeaBesideTheWhole) {
+TEST(CostAdvice, NamesTheFewestOctavesWithinATenthOfTheSeaBesideTheWhole) {
   const auto advice = costAdvice({heights()});
   ASSERT_EQ(advice.size(), 1u);
   EXPECT_EQ(advice[0],

@@ -14,7 +14,9 @@ Scene sceneOf(const char* file) {
 }
 
 Calibration of(const char* scene) {
-  const Scene loaded = sceneOf(scene);
+  Scene loaded = sceneOf(scene);
+  loaded.cameras.clear();  // the field alone
+  loaded.vessels.clear();
   return calibrate(loaded, buildSea(loaded), {.quick = true});
 }
 
@@ -53,17 +55,22 @@ TEST(Calibration, GridsAreAsFarOffAsTheirSpacingForetells) {
 
 // In waves of 9 m each picture shows but a few.
 TEST(CalibrationHard, GridsInAStormAreNoFartherOffThanForetold) {
-  for (const GridCheck& check : gridsOf("storm.yaml")) {
+  const auto grids = gridsOf("storm.yaml");
+  ASSERT_EQ(grids.size(), 4u);
+  for (const GridCheck& check : grids) {
+    EXPECT_LE(check.within[0], 0.85) << check.side;
     EXPECT_GE(check.within[0], 0.63) << check.side;
     EXPECT_GE(check.within[1], 0.94) << check.side;
     EXPECT_GE(check.within[2], 0.99) << check.side;
   }
 }
 
+// What is left out beyond cells of twice the size is less than what these leave out besides, but
+// not by much where short waves are as high as long ones: a factor of two either way.
 TEST(Calibration, HalvedCellsForetellTheErrorOfWakes) {
   for (const char* scene : {"canaveral.yaml", "voyage.yaml"}) {
     const auto cells = checkWakeCells(sceneOf(scene));
-    ASSERT_EQ(cells.size(), 3u) << scene;
+    ASSERT_EQ(cells.size(), 2u) << scene;
     for (const CellCheck& check : cells) {
       EXPECT_GT(check.measured, 0.5 * check.predicted) << scene << check.cell;
       EXPECT_LT(check.measured, 2.0 * check.predicted) << scene << check.cell;

@@ -180,7 +180,7 @@ TEST(PoseStreams, AStepThatTheServersEndOvertakesIsDoneOrRefused) {
   place.set_radius_m(20.0);
   auto status =
       std::async(std::launch::async, [&] { return stub->Step(&context, request, &response); });
-  EXPECT_EQ(status.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+  status.wait_for(std::chrono::milliseconds(100));  // the step is under way, or done
   water.server->stop();
   if (const grpc::Status got = status.get(); !got.ok()) {
     // Half a second was not enough. Whether the status or the end of the connection comes first is
