@@ -74,37 +74,34 @@ std::vector<glm::dvec2> placesAround(const BoxHull& hull, double scale) {
   return places;
 }
 
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] - b[i], 2);
+  return std::sqrt(square / static_cast<double>(a.size()));
+}
+
 /// rms error in % of the largest height, and what 0.1 s of sailing costs.
 CostPoint measured(const Windows& windows, const SceneVessel& vessel, double depth,
                    const std::vector<glm::dvec2>& places, const std::vector<double>& truth,
                    int repetitions) {
   Sailed sailed(vessel, depth, windows);
   const std::vector<double> heights = sailed.heights(places);
-  double square = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    square += std::pow(heights[i] - truth[i], 2) / static_cast<double>(truth.size());
-    largest = std::max(largest, std::abs(truth[i]));
-  }
+  double largest = 0.0;
+  for (const double height : truth) largest = std::max(largest, std::abs(height));
   // Borders and coarse windows work at their own intervals: 1.6 s hold some of each.
   const Timing timing = timeRepeated(
       [&] {
         for (int i = 0; i < 16; ++i) sailed.sailOn();
       },
       repetitions);
-  return {windows.setting, 100.0 * std::sqrt(square) / largest, 1e6 / 16.0 * timing.median,
-          1e6 / 16.0 * timing.spread, windows.dial};
+  return {windows.setting, 100.0 * rmsDifference(heights, truth) / largest,
+          1e6 / 16.0 * timing.median, 1e6 / 16.0 * timing.spread, windows.dial};
 }
 
 const SceneVessel* vesselUnderWay(const Scene& scene) {
   const auto found = std::find_if(scene.vessels.begin(), scene.vessels.end(),
                                   [](const SceneVessel& vessel) { return vessel.speed != 0.0; });
   return found == scene.vessels.end() ? nullptr : &*found;
-}
-
-double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  double square = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) square += std::pow(a[i] - b[i], 2);
-  return std::sqrt(square / static_cast<double>(a.size()));
 }
 
 }  // namespace
